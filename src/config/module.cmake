@@ -1,0 +1,1 @@
+starling_module(config SOURCES scaling.cpp DEPENDS starling_core)

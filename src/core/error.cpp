@@ -1,0 +1,42 @@
+#include "core/error.hpp"
+
+namespace starling {
+
+namespace {
+
+std::string describe(const Problem& p)
+{
+    std::string where = p.file;
+    if (p.line > 0) where += ":" + std::to_string(p.line);
+    if (!p.key.empty()) where += (where.empty() ? "" : ": ") + p.key;
+    return where.empty() ? p.message : where + ": " + p.message;
+}
+
+std::string describe(const std::vector<Problem>& problems)
+{
+    std::string text;
+    for (const Problem& p : problems) text += (text.empty() ? "" : "\n") + describe(p);
+    return text;
+}
+
+} // namespace
+
+InputError::InputError(std::vector<Problem> problems)
+    : std::runtime_error(describe(problems)), problems_(std::move(problems))
+{
+}
+
+InputError::InputError(const std::string& message)
+    : InputError(std::vector<Problem>{{"", 0, "", message}})
+{
+}
+
+NumericalError::NumericalError(Index step, Real time, const std::string& what_and_where,
+                               const std::string& remedy)
+    : std::runtime_error("step " + std::to_string(step) + ", t = " + std::to_string(time) + ": " +
+                         what_and_where + "\n  try: " + remedy),
+      step_(step), time_(time), remedy_(remedy)
+{
+}
+
+} // namespace starling

@@ -1,0 +1,47 @@
+#pragma once
+/// The kinds of failure a user can meet; `app` maps them to exit codes.
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "core/types.hpp"
+
+namespace starling {
+
+/// One thing wrong with an input: where it stands, what it is, what is allowed.
+struct Problem {
+    std::string file;    ///< file name, or "--set" for a command-line override
+    int line = 0;        ///< 1-based; 0 when the problem has no line (missing key, whole file)
+    std::string key;     ///< dotted key such as "wall.law"; may be empty
+    std::string message; ///< what is wrong, what is allowed, the nearest valid name
+};
+
+/// Bad input, all problems of it at once (exit code 2; nothing has been written).
+class InputError : public std::runtime_error {
+public:
+    explicit InputError(std::vector<Problem> problems);
+    explicit InputError(const std::string& message);
+
+    const std::vector<Problem>& problems() const { return problems_; }
+
+private:
+    std::vector<Problem> problems_;
+};
+
+/// The computation cannot go on (exit code 3): where, when, and what to try.
+class NumericalError : public std::runtime_error {
+public:
+    NumericalError(Index step, Real time, const std::string& what_and_where,
+                   const std::string& remedy);
+
+    Index step() const { return step_; }
+    Real time() const { return time_; }
+    const std::string& remedy() const { return remedy_; }
+
+private:
+    Index step_;
+    Real time_;
+    std::string remedy_;
+};
+
+} // namespace starling

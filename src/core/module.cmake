@@ -1,0 +1,1 @@
+starling_module(core SOURCES error.cpp DEPENDS OpenMP::OpenMP_CXX)

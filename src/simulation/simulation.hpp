@@ -1,0 +1,58 @@
+#pragma once
+/// One run in memory: Case -> grid, wall and operators; steps; what can be asked of it. No files.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/case.hpp"
+#include "solver/monitor_data.hpp"
+
+namespace starling {
+
+/// A bound on the time step and what it comes from ("membrane stiffness", "CFL", ...).
+struct TimeStepLimit {
+    std::string name;
+    Real dt;
+};
+
+/// Seconds spent in one phase of the step.
+struct PhaseTime {
+    std::string name;
+    double seconds;
+};
+
+class Simulation {
+public:
+    /// Builds everything; throws InputError where the geometry does not fit the grid.
+    explicit Simulation(const Case& c);
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+
+    /// One time step; throws NumericalError on a non-finite value or a wall that leaves the box.
+    void step();
+
+    Real time() const;
+    Index steps() const;
+    Real dt() const;                      ///< step the next call of step() takes
+    const TimeStepLimit& limiting() const; ///< the bound that sets dt
+    Index cells() const;
+    Index vertices() const;
+    Index elements() const;
+
+    /// Monitored numbers of the present state; also drives the steadiness test.
+    Sample sample();
+    std::vector<ProfileRow> profile() const;
+    WallSnapshot wall_snapshot() const;
+    FluidSnapshot fluid_snapshot() const;
+    std::vector<PhaseTime> phase_times() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// The named limits on dt for a case at largest speed u_max (U_c); the smallest binds. See
+/// docs/numerics.md for where each comes from.
+std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max);
+
+} // namespace starling

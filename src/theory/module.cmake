@@ -1,0 +1,1 @@
+# sources are added here as they are written
