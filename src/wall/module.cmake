@@ -1,0 +1,1 @@
+starling_module(wall SOURCES materials.cpp DEPENDS starling_core)
