@@ -1,0 +1,3 @@
+starling_module(flow
+  SOURCES periodic_lines.cpp momentum.cpp poisson.cpp projection.cpp
+  DEPENDS starling_grid starling_parallel PkgConfig::FFTW3)

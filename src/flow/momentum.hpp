@@ -1,0 +1,38 @@
+#pragma once
+/// The advection-diffusion step: intermediate velocity u_hat.
+#include "flow/fluid_state.hpp"
+#include "flow/prescribed.hpp"
+#include "parallel/x_lines.hpp"
+
+namespace starling {
+
+/// Solves Eq. (36) with theta-diffusion by ADI in increment form.
+///
+/// Deviation: Eqs. (40)-(43) as printed are first order with an error O(dt) in the steady state;
+/// prod_d (1 - theta dt/Re d^2/dx_d^2) (u_hat - u^n) = dt [ -grad P^n - N + Lap u^n / Re + F ]
+/// costs the same and has none.
+class Momentum {
+public:
+    Momentum(const Grid& g, const FluidParameters& p);
+
+    /// Advances s.u from u^n to u_hat (valid halos) and s.N_before to N^n. `rhs` comes in as the
+    /// body force F at the faces and is used as work space. Prescribed nodes take their value.
+    /// Needs valid halos of s.u and s.P.
+    void predict(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed, Real dt);
+
+private:
+    template <Location C>
+    void explicit_terms_and_plane_solves(FluidState& s, ScalarField& rhs,
+                                         const PrescribedNodes& prescribed, Real dt);
+    template <Location C>
+    void x_solve_and_add(ScalarField& u, ScalarField& increment, const PrescribedNodes& prescribed,
+                         Real dt);
+
+    Grid grid_;
+    Real inv_reynolds_, theta_;
+    XLines lines_;
+    Index plane_scratch_; ///< reals per thread
+    Array<Real> scratch_;
+};
+
+} // namespace starling

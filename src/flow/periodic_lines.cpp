@@ -1,0 +1,79 @@
+#include "flow/periodic_lines.hpp"
+
+namespace starling {
+
+// With corners c_0 = -a_0 (row 0, column nz-1) and c_n = -a_n (row nz-1, column 0), the matrix is
+// T + g s^T with g = (gamma, 0, ..., c_n), s = (1, 0, ..., c_0/gamma); T is tridiagonal. Then
+// x = y - q (s.y)/(1 + s.q) with T y = rhs and T q = g.
+void PeriodicLines::solve(Real* x, const std::uint8_t* mask, Index stride, Index rows,
+                          Real* scratch) const
+{
+    constexpr Index b = block;
+    Real* __restrict y = scratch;              // [k][row]
+    Real* __restrict q = scratch + b * nz;     // [k][row]
+    Real* __restrict c = scratch + 2 * b * nz; // upper coefficient after elimination
+    const Index n = nz - 1;
+
+    // transposed right-hand side; c holds the active coefficient a until the elimination
+    for (Index r = 0; r < b; ++r) {
+        const Index row = r < rows ? r : 0;
+        for (Index k = 0; k < nz; ++k) {
+            y[k * b + r] = x[row * stride + k];
+            c[k * b + r] = mask[row * stride + k] ? 0 : a;
+        }
+    }
+    Real corner_0[b], corner_n[b], gamma[b];
+#pragma omp simd
+    for (Index r = 0; r < b; ++r) {
+        const Real a_0 = c[r], a_n = c[n * b + r];
+        corner_0[r] = -a_0;
+        corner_n[r] = -a_n;
+        gamma[r] = -(1 + 2 * a_0);
+        const Real inverse = 1 / (1 + 2 * a_0 - gamma[r]);
+        y[r] *= inverse;
+        q[r] = gamma[r] * inverse;
+        c[r] = -a_0 * inverse;
+    }
+    for (Index k = 1; k < n; ++k) {
+        Real *y_k = y + k * b, *q_k = q + k * b, *c_k = c + k * b;
+#pragma omp simd
+        for (Index r = 0; r < b; ++r) {
+            const Real a_k = c_k[r];
+            const Real inverse = 1 / (1 + 2 * a_k + a_k * c_k[r - b]);
+            y_k[r] = (y_k[r] + a_k * y_k[r - b]) * inverse;
+            q_k[r] = a_k * q_k[r - b] * inverse;
+            c_k[r] = -a_k * inverse;
+        }
+    }
+    Real factor[b];
+    {
+        Real *y_n = y + n * b, *q_n = q + n * b, *c_n = c + n * b;
+#pragma omp simd
+        for (Index r = 0; r < b; ++r) {
+            const Real a_n = c_n[r];
+            const Real d = 1 + 2 * a_n - corner_n[r] * corner_0[r] / gamma[r];
+            const Real inverse = 1 / (d + a_n * c_n[r - b]);
+            y_n[r] = (y_n[r] + a_n * y_n[r - b]) * inverse;
+            q_n[r] = (corner_n[r] + a_n * q_n[r - b]) * inverse;
+        }
+    }
+    for (Index k = n - 1; k >= 0; --k) {
+        Real *y_k = y + k * b, *q_k = q + k * b;
+        const Real* c_k = c + k * b;
+#pragma omp simd
+        for (Index r = 0; r < b; ++r) {
+            y_k[r] -= c_k[r] * y_k[r + b];
+            q_k[r] -= c_k[r] * q_k[r + b];
+        }
+    }
+#pragma omp simd
+    for (Index r = 0; r < b; ++r) {
+        const Real s_n = corner_0[r] / gamma[r];
+        factor[r] = (y[r] + s_n * y[n * b + r]) / (1 + q[r] + s_n * q[n * b + r]);
+    }
+    for (Index r = 0; r < rows; ++r)
+        for (Index k = 0; k < nz; ++k)
+            x[r * stride + k] = y[k * b + r] - factor[r] * q[k * b + r];
+}
+
+} // namespace starling

@@ -1,0 +1,45 @@
+#pragma once
+/// Direct solver of the discrete Poisson equation of the pressure increment.
+#include <memory>
+
+#include "grid/field.hpp"
+#include "parallel/x_lines.hpp"
+
+namespace starling {
+
+/// Solves Laplacian(phi) = rhs at cell centres: Fourier in z (periodic), cosine in y (zero normal
+/// derivative), tridiagonal in x (phi given on the end faces). The discrete Laplacian is the
+/// divergence of the gradient, so the projection is exact to round-off. Source: sec. 2.7.
+class Poisson {
+public:
+    explicit Poisson(const Grid& g);
+    ~Poisson();
+    Poisson(const Poisson&) = delete;
+    Poisson& operator=(const Poisson&) = delete;
+
+    /// Calls rhs(i, j, k) for every cell, solves with phi = 0 on the end faces and writes phi with
+    /// valid halos.
+    template <class Rhs>
+    void solve(Rhs rhs, ScalarField& phi)
+    {
+        const View<Real> buffer = buffer_view();
+        for_each(cells_, [=](Index i, Index j, Index k) { buffer(i, j, k) = rhs(i, j, k); });
+        solve_buffer(phi);
+    }
+
+private:
+    struct Plans;
+    View<Real> buffer_view();
+    void solve_buffer(ScalarField& phi);
+
+    Grid grid_;
+    Box cells_;
+    Index row_;               ///< reals per transformed row: 2 (nz/2 + 1)
+    Array<Real> buffer_;      ///< nx planes of ny rows of row_ values
+    Array<Real> eigenvalues_y_; ///< of the second difference under the cosine transform
+    Array<Real> eigenvalues_z_; ///< of the second difference in Fourier space, per stored real
+    XLines lines_;
+    std::unique_ptr<Plans> plans_;
+};
+
+} // namespace starling

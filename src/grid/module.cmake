@@ -1,0 +1,1 @@
+starling_module(grid SOURCES grid.cpp boundary.cpp DEPENDS starling_core)

@@ -1,0 +1,2 @@
+add_library(starling_parallel INTERFACE)
+target_link_libraries(starling_parallel INTERFACE starling_core)
