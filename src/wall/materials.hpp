@@ -12,10 +12,13 @@
 
 namespace starling {
 
-/// Principal Cauchy tensions along the directions of lambda1 and lambda2.
-struct Tensions {
-    Real tau1 = 0, tau2 = 0;
+/// Principal Cauchy tensions along the directions of lambda1 and lambda2. The number type T is
+/// Real, or one that also carries derivatives (theory/dual.hpp).
+template <class T>
+struct BasicTensions {
+    T tau1 = 0, tau2 = 0;
 };
+using Tensions = BasicTensions<Real>;
 
 /// Derivatives of the strain energy per undeformed area with respect to the invariants.
 struct EnergyGradient {
@@ -28,10 +31,11 @@ struct Hooke {
     static constexpr bool has_energy = false;
     Real G_s = 1, nu_s = 0.5;
 
-    Tensions tensions(Real lambda1, Real lambda2) const
+    template <class T>
+    BasicTensions<T> tensions(T lambda1, T lambda2) const
     {
         const Real k = G_s / (1 - nu_s);
-        const Real e1 = lambda1 * lambda1 - 1, e2 = lambda2 * lambda2 - 1;
+        const T e1 = lambda1 * lambda1 - 1, e2 = lambda2 * lambda2 - 1;
         return {k * (e1 + nu_s * e2), k * (e2 + nu_s * e1)};
     }
 };
@@ -41,9 +45,10 @@ struct NeoHookean {
     static constexpr bool has_energy = true;
     Real G_s = 1;
 
-    Tensions tensions(Real lambda1, Real lambda2) const
+    template <class T>
+    BasicTensions<T> tensions(T lambda1, T lambda2) const
     {
-        const Real J_s = lambda1 * lambda2, k = G_s / J_s, c = 1 / (J_s * J_s);
+        const T J_s = lambda1 * lambda2, k = G_s / J_s, c = 1 / (J_s * J_s);
         return {k * (lambda1 * lambda1 - c), k * (lambda2 * lambda2 - c)};
     }
     /// Eq. (7) less its constant 3 G_s/2, so that the unstrained wall has no energy.
@@ -59,10 +64,11 @@ struct MooneyRivlin {
     static constexpr bool has_energy = true;
     Real G_s = 1, psi = 0.5;
 
-    Tensions tensions(Real lambda1, Real lambda2) const
+    template <class T>
+    BasicTensions<T> tensions(T lambda1, T lambda2) const
     {
-        const Real J_s = lambda1 * lambda2, k = G_s / J_s, c = 1 / (J_s * J_s);
-        const Real a1 = lambda1 * lambda1, a2 = lambda2 * lambda2;
+        const T J_s = lambda1 * lambda2, k = G_s / J_s, c = 1 / (J_s * J_s);
+        const T a1 = lambda1 * lambda1, a2 = lambda2 * lambda2;
         return {k * (a1 - c) * (psi + a2 * (1 - psi)), k * (a2 - c) * (psi + a1 * (1 - psi))};
     }
     /// Eq. (6) less its constant 3 G_s/2, so that the unstrained wall has no energy.
@@ -84,11 +90,12 @@ struct Skalak {
     static constexpr bool has_energy = true;
     Real G_s = 1, C = 1;
 
-    Tensions tensions(Real lambda1, Real lambda2) const
+    template <class T>
+    BasicTensions<T> tensions(T lambda1, T lambda2) const
     {
-        const Real J_s = lambda1 * lambda2, k = G_s / J_s;
-        const Real a1 = lambda1 * lambda1, a2 = lambda2 * lambda2;
-        const Real area = C * J_s * J_s * (J_s * J_s - 1);
+        const T J_s = lambda1 * lambda2, k = G_s / J_s;
+        const T a1 = lambda1 * lambda1, a2 = lambda2 * lambda2;
+        const T area = C * J_s * J_s * (J_s * J_s - 1);
         return {k * (a1 * (a1 - 1) + area), k * (a2 * (a2 - 1) + area)};
     }
     Real energy(Real I1, Real I2) const

@@ -1,1 +1,3 @@
-starling_module(wall SOURCES materials.cpp DEPENDS starling_core)
+starling_module(wall
+  SOURCES materials.cpp wall_mesh.cpp tube.cpp geometry.cpp elastic_force.cpp
+  DEPENDS starling_core)

@@ -1,0 +1,20 @@
+#pragma once
+/// What the wall remembers from one step to the next; part of a checkpoint.
+#include "core/array.hpp"
+#include "wall/tube.hpp"
+
+namespace starling {
+
+/// Positions and velocities of the vertices.
+struct WallState {
+    Array<Vec3> x; ///< position (R_0)
+    Array<Vec3> velocity; ///< wall velocity of the last step (U_c), zero in rigid parts
+
+    explicit WallState(const Tube& tube)
+        : x(static_cast<Index>(tube.X.size())), velocity(static_cast<Index>(tube.X.size()))
+    {
+        std::copy(tube.X.begin(), tube.X.end(), x.begin());
+    }
+};
+
+} // namespace starling
