@@ -3,6 +3,8 @@ add_library(starling_options INTERFACE)
 target_compile_options(starling_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   $<$<BOOL:${STARLING_WARNINGS_AS_ERRORS}>:-Werror>
+  # g++ 12 reports overlapping copies in std::string operators that do not exist (GCC bug 105651).
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Contraction into fused multiply-adds is kept the same everywhere; nothing that reorders sums.
   -fno-math-errno -fno-trapping-math
   $<$<BOOL:${STARLING_NATIVE}>:-march=native>)
