@@ -1,0 +1,172 @@
+#include "output/hdf5_file.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace starling::hdf5 {
+
+namespace {
+
+constexpr hsize_t largest_chunk = 64 * 1024; ///< values; a chunk is compressed at once
+constexpr unsigned deflate_level = 4;
+
+/// HDF5 reports through `Handle` and `check`, not on standard error.
+void silence()
+{
+    static const bool done = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
+    (void)done;
+}
+
+herr_t keep_first_message(unsigned n, const H5E_error2_t* error, void* text)
+{
+    if (n == 0 && error->desc != nullptr) *static_cast<std::string*>(text) = error->desc;
+    return 0;
+}
+
+[[noreturn]] void fail(const std::string& what)
+{
+    std::string reason;
+    H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first_message, &reason);
+    throw std::runtime_error("cannot " + what + (reason.empty() ? "" : " (HDF5: " + reason + ")"));
+}
+
+void check(herr_t status, const std::string& what)
+{
+    if (status < 0) fail(what);
+}
+
+/// A viewer that reads while a run writes must not stop the run, so the file is not locked.
+Handle access()
+{
+    silence();
+    Handle list(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "set up HDF5");
+    check(H5Pset_file_locking(list.get(), false, true), "set up HDF5");
+    check(H5Pset_fclose_degree(list.get(), H5F_CLOSE_STRONG), "set up HDF5");
+    return list;
+}
+
+/// Whole rows of the slowest dimension, as many as `largest_chunk` allows.
+std::vector<hsize_t> chunk_shape(std::vector<hsize_t> shape)
+{
+    hsize_t size = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+    for (hsize_t& n : shape) {
+        const hsize_t row = size / n;
+        n = std::clamp(largest_chunk / row, hsize_t{1}, n);
+        size = n * row;
+    }
+    return shape;
+}
+
+Handle compression(const std::vector<hsize_t>& shape)
+{
+    Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up HDF5");
+    check(H5Pset_obj_track_times(list.get(), false), "set up HDF5");
+    const bool empty = std::ranges::any_of(shape, [](hsize_t n) { return n == 0; });
+    if (empty) return list;
+    const auto chunk = chunk_shape(shape);
+    check(H5Pset_chunk(list.get(), static_cast<int>(chunk.size()), chunk.data()), "set up HDF5");
+    check(H5Pset_shuffle(list.get()), "set up HDF5");
+    check(H5Pset_deflate(list.get(), deflate_level), "set up HDF5");
+    return list;
+}
+
+} // namespace
+
+Handle::Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close)
+{
+    if (id_ < 0) fail(what);
+}
+
+Handle::Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+
+Handle::~Handle()
+{
+    if (id_ >= 0) close_(id_);
+}
+
+File::File(Handle file, std::filesystem::path path) : file_(std::move(file)), path_(std::move(path))
+{
+}
+
+File File::create(const std::filesystem::path& path)
+{
+    const Handle list = access();
+    return {Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, list.get()), H5Fclose,
+                   "create " + path.string()),
+            path};
+}
+
+File File::append(const std::filesystem::path& path)
+{
+    const Handle list = access();
+    return {
+        Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, list.get()), H5Fclose, "open " + path.string()),
+        path};
+}
+
+void File::make_group(const std::string& path)
+{
+    const Handle group(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                       H5Gclose, "write " + path_.string() + ":" + path);
+}
+
+void File::write_raw(const std::string& path, const std::vector<hsize_t>& shape, const void* values,
+                     hid_t memory_type, hid_t file_type)
+{
+    const std::string what = "write " + path_.string() + ":" + path;
+    const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                       H5Sclose, what);
+    const Handle list = compression(shape);
+    const Handle set(H5Dcreate2(file_.get(), path.c_str(), file_type, space.get(), H5P_DEFAULT,
+                                list.get(), H5P_DEFAULT),
+                     H5Dclose, what);
+    check(H5Dwrite(set.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+}
+
+void File::write(const std::string& path, const std::vector<hsize_t>& shape,
+                 std::span<const Real> values, Precision precision)
+{
+    write_raw(path, shape, values.data(), H5T_NATIVE_DOUBLE,
+              precision == Precision::single ? H5T_IEEE_F32LE : H5T_IEEE_F64LE);
+}
+
+void File::write(const std::string& path, const std::vector<hsize_t>& shape,
+                 std::span<const std::int32_t> values)
+{
+    write_raw(path, shape, values.data(), H5T_NATIVE_INT32, H5T_STD_I32LE);
+}
+
+void File::write_attribute(const std::string& path, const std::string& name, hid_t type,
+                           const void* value)
+{
+    const std::string what = "write " + path_.string() + ":" + path + "@" + name;
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
+    const Handle attribute(H5Acreate_by_name(file_.get(), path.c_str(), name.c_str(), type,
+                                             space.get(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose, what);
+    check(H5Awrite(attribute.get(), type, value), what);
+}
+
+void File::attribute(const std::string& path, const std::string& name, const std::string& value)
+{
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "set up HDF5");
+    check(H5Tset_size(type.get(), value.size() + 1), "set up HDF5");
+    check(H5Tset_cset(type.get(), H5T_CSET_UTF8), "set up HDF5");
+    write_attribute(path, name, type.get(), value.c_str());
+}
+
+void File::attribute(const std::string& path, const std::string& name, Real value)
+{
+    write_attribute(path, name, H5T_NATIVE_DOUBLE, &value);
+}
+
+void File::attribute(const std::string& path, const std::string& name, Index value)
+{
+    write_attribute(path, name, H5T_NATIVE_INT64, &value);
+}
+
+void File::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "write " + path_.string()); }
+
+} // namespace starling::hdf5

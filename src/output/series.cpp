@@ -1,0 +1,32 @@
+#include "output/series.hpp"
+
+namespace starling {
+
+std::span<const Column<Sample>> sample_columns()
+{
+    using enum Quantity;
+    static const Column<Sample> columns[] = {
+        {"t", time, &Sample::t, "time"},
+        {"step", none, &Sample::step, "steps taken"},
+        {"dt", time, &Sample::dt, "time step"},
+        {"Q_in", flow_rate, &Sample::Q_in, "flow rate inside the tube at x = 0"},
+        {"Q_mid", flow_rate, &Sample::Q_mid, "flow rate inside the tube half way"},
+        {"Q_out", flow_rate, &Sample::Q_out, "flow rate inside the tube at x = L"},
+        {"Q_exterior", flow_rate, &Sample::Q_exterior, "flow rate outside the tube half way"},
+        {"dV_dt", flow_rate, &Sample::dV_dt, "rate of change of the enclosed volume"},
+        {"leak", flow_rate, &Sample::leak, "flow through the wall: dV_dt - (Q_in - Q_out)"},
+        {"volume", volume, &Sample::volume, "volume enclosed by the wall"},
+        {"R_max", length, &Sample::R_max, "largest ring-averaged radius"},
+        {"x_R_max", length, &Sample::x_R_max, "where it is"},
+        {"R_min", length, &Sample::R_min, "smallest distance of the wall from the axis"},
+        {"smallest_gap", length, &Sample::smallest_gap, "smallest distance of opposite walls"},
+        {"kinetic_energy", energy, &Sample::kinetic_energy, "of the fluid"},
+        {"elastic_energy", energy, &Sample::elastic_energy, "of the wall"},
+        {"largest_displacement", length, &Sample::largest_displacement, "of a wall vertex"},
+        {"max_strain", none, &Sample::max_strain, "largest principal stretch - 1"},
+        {"cfl", none, &Sample::cfl, "largest speed times dt over the spacing"},
+    };
+    return columns;
+}
+
+} // namespace starling

@@ -1,0 +1,20 @@
+#pragma once
+/// series.csv: one row per sample in time.
+#include "output/table.hpp"
+#include "solver/monitor_data.hpp"
+
+namespace starling {
+
+/// The columns of series.csv in their order.
+std::span<const Column<Sample>> sample_columns();
+
+/// Writes series.csv; each row is on disk when `write` returns.
+class SeriesWriter : public TableWriter<Sample> {
+public:
+    SeriesWriter(const std::filesystem::path& path, const Scaling& scaling)
+        : TableWriter(path, sample_columns(), scaling)
+    {
+    }
+};
+
+} // namespace starling

@@ -1,0 +1,115 @@
+#include "output/summary.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+#include "output/replace_file.hpp"
+
+namespace starling {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A number of the summary that has a unit.
+struct Entry {
+    const char* key;
+    Quantity quantity;
+    Real value;
+};
+
+/// Puts the entries into `json` in the case's units and their units into json["units"].
+void put(Json& json, Json& units, const Scaling& scaling, const std::vector<Entry>& entries)
+{
+    for (const Entry& e : entries) {
+        json[e.key] = e.value * scaling.factor(e.quantity);
+        units[e.key] = scaling.unit(e.quantity);
+    }
+}
+
+void put_sample(Json& json, Json& units, const Scaling& scaling, const Summary& s)
+{
+    using enum Quantity;
+    const Sample& last = s.last;
+    put(json, units, scaling,
+        {{"t", time, last.t},
+         {"dt", time, last.dt},
+         {"Q_in", flow_rate, last.Q_in},
+         {"Q_mid", flow_rate, last.Q_mid},
+         {"Q_out", flow_rate, last.Q_out},
+         {"Q_mid_over_Q0", none, s.Q_mid_over_Q0()},
+         {"leak_over_Q", none, s.leak_over_Q()},
+         {"R_max", length, last.R_max},
+         {"x_R_max", length, last.x_R_max},
+         {"R_min", length, last.R_min},
+         {"smallest_gap", length, last.smallest_gap},
+         {"volume", volume, last.volume},
+         {"max_strain", none, last.max_strain},
+         {"elastic_energy", energy, last.elastic_energy}});
+}
+
+Json theory_json(const Summary& s, const Scaling& scaling)
+{
+    if (!s.theory) return nullptr;
+    const TheoryValues& theory = *s.theory;
+    Json json;
+    json["Q_1d"] = theory.Q * scaling.factor(Quantity::flow_rate);
+    json["R_max_1d"] = theory.R_max * scaling.factor(Quantity::length);
+    json["Q_relative_difference"] = relative_difference(s.last.Q_mid, theory.Q);
+    json["R_max_relative_difference"] = relative_difference(s.last.R_max, theory.R_max);
+    if (std::abs(theory.R_max - 1) > 1e-9)
+        json["displacement_relative_difference"] =
+            relative_difference(s.last.R_max - 1, theory.R_max - 1);
+    return json;
+}
+
+void put_cost(Json& json, Json& units, const Summary& s)
+{
+    json["wall_seconds"] = s.wall_seconds;
+    json["cell_steps_per_second"] = s.cell_steps_per_second;
+    json["threads"] = s.threads;
+    json["peak_memory_bytes"] = s.peak_memory_bytes;
+    json["cells"] = s.cells;
+    json["vertices"] = s.vertices;
+    json["elements"] = s.elements;
+    json["phase_seconds"] = Json::object();
+    for (const auto& [name, seconds] : s.phase_seconds) json["phase_seconds"][name] = seconds;
+    units["wall_seconds"] = "s";
+    units["cell_steps_per_second"] = "1/s";
+    units["peak_memory_bytes"] = "B";
+    units["phase_seconds"] = "s";
+}
+
+} // namespace
+
+std::string summary_json(const Summary& summary, const Scaling& scaling)
+{
+    Json json, units;
+    json["title"] = summary.title;
+    json["converged"] = summary.converged;
+    json["reason"] = summary.reason;
+    json["steps"] = summary.last.step;
+    put_sample(json, units, scaling, summary);
+    json["theory"] = theory_json(summary, scaling);
+    units["theory.Q_1d"] = scaling.unit(Quantity::flow_rate);
+    units["theory.R_max_1d"] = scaling.unit(Quantity::length);
+    put_cost(json, units, summary);
+    json["version"] = summary.version;
+    json["units"] = units;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_summary(const std::filesystem::path& path, const Summary& summary,
+                   const Scaling& scaling)
+{
+    replace_file(path, summary_json(summary, scaling));
+}
+
+Index peak_memory_bytes()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return Index{usage.ru_maxrss} * 1024;
+}
+
+} // namespace starling

@@ -1,0 +1,52 @@
+#pragma once
+/// summary.json: the key numbers of a run.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/monitor_data.hpp"
+
+namespace starling {
+
+/// Prediction of the one-dimensional model for the same case (solver units).
+struct TheoryValues {
+    Real Q = 0;
+    Real R_max = 0;
+};
+
+/// What a run came to. Numbers are in solver units.
+struct Summary {
+    std::string title;
+    bool converged = false; ///< the steady criterion was met
+    std::string reason;     ///< why the run ended
+    Sample last;            ///< final sample
+    Real Q_0 = pi / 2;      ///< flow rate through the undeformed tube at U_c
+    double wall_seconds = 0;
+    double cell_steps_per_second = 0;
+    int threads = 1;
+    Index peak_memory_bytes = 0;
+    Index cells = 0, vertices = 0, elements = 0;
+    std::string version;
+    std::vector<std::pair<std::string, double>> phase_seconds;
+    std::optional<TheoryValues> theory;
+
+    Real Q_mid_over_Q0() const { return last.Q_mid / Q_0; }
+    Real leak_over_Q() const { return last.leak / last.Q_mid; }
+};
+
+/// (value - reference) / reference.
+inline Real relative_difference(Real value, Real reference) { return value / reference - 1; }
+
+/// summary.json as text: numbers in the case's units, `units` names them; docs/results.md lists
+/// the keys. Non-finite numbers become null.
+std::string summary_json(const Summary& summary, const Scaling& scaling);
+
+/// Writes `summary_json` to `path`, replacing the file as a whole.
+void write_summary(const std::filesystem::path& path, const Summary& summary,
+                   const Scaling& scaling);
+
+/// Largest resident memory of this process so far.
+Index peak_memory_bytes();
+
+} // namespace starling

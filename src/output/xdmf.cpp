@@ -1,0 +1,48 @@
+#include "output/xdmf.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "output/replace_file.hpp"
+
+namespace starling::xdmf {
+
+std::string data_item(const Array& a)
+{
+    return fmt::format(R"(<DataItem Dimensions="{}" NumberType="{}" Precision="{}" Format="HDF">)"
+                       "{}</DataItem>",
+                       fmt::join(a.shape, " "), a.integer ? "Int" : "Float", a.bytes, a.location);
+}
+
+std::string data_item(const Vec3& zyx)
+{
+    return fmt::format(R"(<DataItem Dimensions="3" NumberType="Float" Precision="8" Format="XML">)"
+                       "{} {} {}</DataItem>",
+                       zyx.x, zyx.y, zyx.z);
+}
+
+std::string attribute(const std::string& name, Centre centre, int components, const Array& array)
+{
+    return fmt::format(R"(<Attribute Name="{}" AttributeType="{}" Center="{}">{}</Attribute>)"
+                       "\n",
+                       name, components == 3 ? "Vector" : "Scalar",
+                       centre == Centre::node ? "Node" : "Cell", data_item(array));
+}
+
+Series::Series(std::filesystem::path path, std::string name)
+    : path_(std::move(path)), name_(std::move(name))
+{
+}
+
+void Series::add(Real t, const std::string& body)
+{
+    frames_ += fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n{}"
+                           "</Grid>\n",
+                           name_, t, body);
+    replace_file(path_, fmt::format("<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
+                                    "<Grid Name=\"{}\" GridType=\"Collection\" "
+                                    "CollectionType=\"Temporal\">\n{}</Grid>\n</Domain>\n</Xdmf>\n",
+                                    name_, frames_));
+}
+
+} // namespace starling::xdmf
