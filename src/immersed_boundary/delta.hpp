@@ -1,0 +1,56 @@
+#pragma once
+/// One-dimensional regularised delta functions on four neighbouring nodes.
+#include "core/types.hpp"
+
+namespace starling {
+
+/// Weights of the four nodes first .. first + 3; they sum to one.
+struct Stencil4 {
+    std::int32_t first = 0;
+    std::array<Real, 4> weight{};
+};
+
+enum class Kernel {
+    cosine,            ///< Peskin's, Eq. (27) with h-bar = 2 Delta
+    quadratic_bspline, ///< order 3: three nodes, the fourth weight is zero
+    cubic_bspline,     ///< order 4; its derivative is the difference of two of order 3
+};
+
+/// Weights at coordinate s, in spacings from node 0. s must be finite and fit an int.
+inline Stencil4 delta_weights(Kernel kernel, Real s)
+{
+    const Real floor = std::floor(s), t = s - floor; // t in [0, 1) from the second node
+    Stencil4 stencil{static_cast<std::int32_t>(floor) - 1, {}};
+    auto& w = stencil.weight;
+    switch (kernel) {
+    case Kernel::cosine: {
+        const Real c = std::cos(pi / 2 * t), d = std::sin(pi / 2 * t);
+        w = {(1 - d) / 4, (1 + c) / 4, (1 + d) / 4, (1 - c) / 4};
+        break;
+    }
+    case Kernel::quadratic_bspline: {
+        if (t < 0.5) {
+            w = {0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t), 0};
+        } else {
+            const Real r = t - 1;
+            w = {0, 0.5 * (0.5 - r) * (0.5 - r), 0.75 - r * r, 0.5 * (0.5 + r) * (0.5 + r)};
+        }
+        break;
+    }
+    case Kernel::cubic_bspline: {
+        const Real r = 1 - t;
+        w = {r * r * r / 6, 2. / 3 - t * t * (1 - t / 2), 2. / 3 - r * r * (1 - r / 2), t * t * t / 6};
+        break;
+    }
+    }
+    return stencil;
+}
+
+/// The kernels of a transfer: along a component's own direction and across it. A pair of
+/// B-splines of orders 4 and 3 makes the interpolated velocity divergence-free.
+struct KernelPair {
+    Kernel along = Kernel::cosine;
+    Kernel across = Kernel::cosine;
+};
+
+} // namespace starling

@@ -1,0 +1,252 @@
+#include "immersed_boundary/ghost_nodes.hpp"
+
+#include "wall/cross_section.hpp"
+
+namespace starling {
+
+namespace {
+
+bool in_memory_order(const NearNode& a, const NearNode& b)
+{
+    if (a.i != b.i) return a.i < b.i;
+    return a.j != b.j ? a.j < b.j : a.k < b.k;
+}
+
+bool same_node(const NearNode& a, const NearNode& b)
+{
+    return a.i == b.i && a.j == b.j && a.k == b.k;
+}
+
+} // namespace
+
+GhostNodes::GhostNodes(const Grid& g, const Tube& tube, Location component,
+                       std::vector<char> active_planes)
+    : grid_(g), tube_(&tube), component_(component), active_planes_(std::move(active_planes)),
+      nodes_(g.unknowns(component)), mask_(g),
+      plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
+{
+}
+
+bool GhostNodes::exists(std::int32_t i, std::int32_t j, std::int32_t k) const
+{
+    return i >= nodes_.begin[0] && i < nodes_.end[0] && j >= nodes_.begin[1] &&
+           j < nodes_.end[1] && k >= nodes_.begin[2] && k < nodes_.end[2] &&
+           active_planes_[static_cast<std::size_t>(i)];
+}
+
+template <class F>
+void GhostNodes::for_neighbours(const NearNode& n, F f) const
+{
+    constexpr std::array<std::array<int, 3>, 6> steps = {
+        {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
+    for (const auto& [di, dj, dk] : steps)
+        if (exists(n.i + di, n.j + dj, n.k + dk))
+            f(NearNode{n.i + di, n.j + dj, n.k + dk, n.element});
+}
+
+bool GhostNodes::touches_other_side(const Field<std::uint8_t>& inside, const NearNode& n) const
+{
+    const auto flags = inside.view();
+    bool touches = false;
+    for_neighbours(n, [&](const NearNode& m) {
+        touches |= flags(m.i, m.j, m.k) != flags(n.i, n.j, n.k);
+    });
+    return touches;
+}
+
+void GhostNodes::classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside)
+{
+    inside.fill(0);
+    const auto flags = inside.view();
+    CrossSection section(*tube_);
+    for (Index i = nodes_.begin[0]; i < nodes_.end[0]; ++i) {
+        if (!active_planes_[static_cast<std::size_t>(i)]) continue;
+        section.cut(x, grid_.x(component_, i));
+        for (Index j = nodes_.begin[1]; j < nodes_.end[1]; ++j) {
+            const auto& z = section.crossings(grid_.y(component_, j));
+            for (Index k = nodes_.begin[2]; k < nodes_.end[2]; ++k) {
+                const Real z_k = grid_.z(component_, k);
+                const auto below = std::upper_bound(z.begin(), z.end(), z_k) - z.begin();
+                flags(i, j, k) = below % 2 != 0;
+            }
+        }
+    }
+}
+
+void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search, GhostState& s)
+{
+    classify_planes(x, s.inside);
+    s.near_wall.clear();
+    CrossSection section(*tube_);
+    for (Index i = nodes_.begin[0]; i < nodes_.end[0]; ++i) {
+        if (!active_planes_[static_cast<std::size_t>(i)]) continue;
+        section.cut(x, grid_.x(component_, i));
+        const auto& points = section.points();
+        for (Index j = nodes_.begin[1]; j < nodes_.end[1]; ++j)
+            for (Index k = nodes_.begin[2]; k < nodes_.end[2]; ++k) {
+                NearNode n{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
+                           static_cast<std::int32_t>(k), 0};
+                if (!touches_other_side(s.inside, n)) continue;
+                const Vec3 p = position(n);
+                const auto distance = [&](const Point2& q) {
+                    return (q.y - p.y) * (q.y - p.y) + (q.z - p.z) * (q.z - p.z);
+                };
+                const auto nearest = std::min_element(
+                    points.begin(), points.end(),
+                    [&](const Point2& a, const Point2& b) { return distance(a) < distance(b); });
+                n.element = section.first_element() +
+                            static_cast<ElementIndex>(nearest - points.begin());
+                s.near_wall.push_back(n);
+            }
+    }
+    // room for a wall that inflates or folds, so that steps do not allocate
+    const std::size_t room = 4 * s.near_wall.size() + 1024;
+    s.near_wall.reserve(room);
+    intercepts_.reserve(room);
+    candidates_.reserve(room);
+    turned_.reserve(room);
+    ghost_index_.reserve(room);
+    offsets_.reserve(room);
+    stencils_.reserve(room);
+    values_.reserve(room);
+    update(search, s);
+}
+
+void GhostNodes::search_all(const InterceptSearch& search, std::vector<NearNode>& nodes)
+{
+    intercepts_.resize(nodes.size());
+    NearNode* node = nodes.data();
+    Intercept* intercept = intercepts_.data();
+    for_range(0, static_cast<Index>(nodes.size()), [this, &search, node, intercept](Index n) {
+        intercept[n] = search.walk(position(node[n]), node[n].element);
+        node[n].element = intercept[n].element;
+    });
+}
+
+Index GhostNodes::turn_over(GhostState& s)
+{
+    const auto inside = s.inside.view();
+    turned_.clear();
+    for (std::size_t n = 0; n < s.near_wall.size(); ++n) {
+        const NearNode& node = s.near_wall[n];
+        std::uint8_t& flag = inside(node.i, node.j, node.k);
+        const std::uint8_t now = intercepts_[n].outside ? 0 : 1;
+        if (flag == now) continue;
+        flag = now;
+        turned_.push_back(node);
+    }
+    return static_cast<Index>(turned_.size());
+}
+
+// Nodes next to a turned node may now touch the other side; their search starts where the turned
+// node's ended.
+void GhostNodes::rebuild(GhostState& s)
+{
+    candidates_.clear();
+    for (const NearNode& n : turned_)
+        for_neighbours(n, [&](const NearNode& m) { candidates_.push_back(m); });
+    std::sort(candidates_.begin(), candidates_.end(), [](const NearNode& a, const NearNode& b) {
+        return same_node(a, b) ? a.element < b.element : in_memory_order(a, b);
+    });
+    // old nodes come first among equals and keep their own element
+    const auto old = static_cast<std::ptrdiff_t>(candidates_.size());
+    candidates_.insert(candidates_.end(), s.near_wall.begin(), s.near_wall.end());
+    s.near_wall.resize(candidates_.size());
+    std::merge(candidates_.begin() + old, candidates_.end(), candidates_.begin(),
+               candidates_.begin() + old, s.near_wall.begin(), in_memory_order);
+    s.near_wall.erase(std::unique(s.near_wall.begin(), s.near_wall.end(), same_node),
+                      s.near_wall.end());
+    std::erase_if(s.near_wall,
+                  [&](const NearNode& n) { return !touches_other_side(s.inside, n); });
+}
+
+bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
+{
+    constexpr int most_sweeps = 8;
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        search_all(search, s.near_wall);
+        if (turn_over(s) == 0) {
+            collect_ghosts(s);
+            return true;
+        }
+        rebuild(s);
+    }
+    return false;
+}
+
+void GhostNodes::collect_ghosts(const GhostState& s)
+{
+    const auto mask = mask_.view();
+    const auto inside = s.inside.view();
+    for (Index offset : offsets_) mask.data[offset] = 0;
+    ghost_index_.clear();
+    offsets_.clear();
+    std::fill(plane_begin_.begin(), plane_begin_.end(), 0);
+    for (std::size_t n = 0; n < s.near_wall.size(); ++n) {
+        const NearNode& node = s.near_wall[n];
+        if (inside(node.i, node.j, node.k)) continue;
+        const Index offset = mask.offset(node.i, node.j, node.k);
+        mask.data[offset] = 1;
+        ghost_index_.push_back(n);
+        offsets_.push_back(offset);
+        ++plane_begin_[static_cast<std::size_t>(node.i) + 1];
+    }
+    for (std::size_t i = 1; i < plane_begin_.size(); ++i) plane_begin_[i] += plane_begin_[i - 1];
+    stencils_.resize(offsets_.size());
+    values_.resize(offsets_.size());
+    for_range(0, count(), [this, &s](Index g) {
+        const std::size_t n = ghost_index_[static_cast<std::size_t>(g)];
+        const Vec3 image = 2 * intercepts_[n].point - position(s.near_wall[n]);
+        stencils_[static_cast<std::size_t>(g)] = make_stencil(s.near_wall[n], image);
+    });
+}
+
+GhostNodes::Stencil GhostNodes::make_stencil(const NearNode& n, const Vec3& image) const
+{
+    const Vec3 origin = grid_.position(component_, 0, 0, 0), h = grid_.spacing();
+    const auto locate = [](Real s, Index last) {
+        const Index cell = std::clamp<Index>(static_cast<Index>(std::floor(s)), 0, last - 1);
+        return std::pair{cell, s - static_cast<Real>(cell)};
+    };
+    const auto [i, a] = locate((image.x - origin.x) / h.x, nodes_.end[0] - 1);
+    const auto [j, b] = locate((image.y - origin.y) / h.y, nodes_.end[1] - 1);
+    const auto [k, c] = locate((image.z - origin.z) / h.z, nodes_.end[2] - 1);
+    const auto view = mask_.view();
+    const Index self = view.offset(n.i, n.j, n.k);
+    Stencil s{view.offset(i, j, k), {}};
+    Real own = 0;
+    for (std::size_t l = 0; l < 8; ++l) {
+        const Index di = l / 4, dj = l / 2 % 2, dk = l % 2;
+        const Real beta = (di ? a : 1 - a) * (dj ? b : 1 - b) * (dk ? c : 1 - c);
+        if (view.offset(i + di, j + dj, k + dk) == self)
+            own = beta;
+        else
+            s.beta[l] = beta;
+    }
+    for (Real& beta : s.beta) beta *= -1 / (1 + own);
+    return s;
+}
+
+void GhostNodes::evaluate(const ScalarField& u_field)
+{
+    const View<const Real> u = u_field.view();
+    const Stencil* stencils = stencils_.data();
+    Real* values = values_.data();
+    for_range(0, count(), [=](Index g) {
+        const Stencil& s = stencils[g];
+        const Real* p = u.data + s.base;
+        Real sum = 0;
+        for (std::size_t l = 0; l < 8; ++l)
+            sum += s.beta[l] * p[static_cast<Index>(l / 4) * u.stride_x +
+                                 static_cast<Index>(l / 2 % 2) * u.stride_y +
+                                 static_cast<Index>(l % 2)];
+        values[g] = sum;
+    });
+}
+
+PrescribedNodes GhostNodes::prescribed() const
+{
+    return {mask_.view(), offsets_, values_, plane_begin_};
+}
+
+} // namespace starling

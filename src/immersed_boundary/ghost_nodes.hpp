@@ -1,0 +1,86 @@
+#pragma once
+/// Ghost nodes of one velocity component: who they are, their intercepts, their values.
+#include <vector>
+
+#include "flow/prescribed.hpp"
+#include "grid/field.hpp"
+#include "immersed_boundary/intercept_search.hpp"
+#include "wall/tube.hpp"
+
+namespace starling {
+
+/// A node beside the wall and the element its intercept search starts from.
+struct NearNode {
+    std::int32_t i = 0, j = 0, k = 0;
+    ElementIndex element = 0;
+};
+
+/// What ghost nodes remember from one step to the next; part of a checkpoint.
+struct GhostState {
+    Field<std::uint8_t> inside;      ///< 1 inside the tube, at the nodes of the component
+    std::vector<NearNode> near_wall; ///< nodes with a neighbour on the other side, memory order
+
+    explicit GhostState(const Grid& g) : inside(g) {}
+};
+
+/// Keeps the set of ghost nodes of a component up to date while the wall moves (sec. 2.6) and
+/// evaluates the no-slip condition at the wall, Eqs. (31), (32), (44). A ghost node lies outside
+/// and has one of its six neighbours inside, on the grid of its own component.
+class GhostNodes {
+public:
+    /// Ghost nodes live on the planes i for which x_low <= x < x_high or x_low2 <= x < x_high2 ...
+    /// given as `active_planes`, one flag per plane.
+    GhostNodes(const Grid& g, const Tube& tube, Location component, std::vector<char> active_planes);
+
+    /// Finds everything from scratch for the wall at x.
+    void initialise(const Array<Vec3>& x, const InterceptSearch& search, GhostState& s);
+
+    /// Steps (i) and (ii): walks from the old intercept elements, turns nodes over that the wall
+    /// has passed, declassifies and adds ghost nodes; then (iii) image points and weights. The
+    /// wall may have moved by at most one spacing since the last call. Returns false if the set
+    /// does not settle (the wall moved too far).
+    bool update(const InterceptSearch& search, GhostState& s);
+
+    /// u_GN = -sum_l beta_l u_l / (1 + beta_self) for a wall that does not move along this
+    /// component. The ghost node's own weight is eliminated: its image point's cell may contain it.
+    void evaluate(const ScalarField& u);
+
+    /// View for the momentum step; valid until the next update.
+    PrescribedNodes prescribed() const;
+
+    Index count() const { return static_cast<Index>(offsets_.size()); }
+
+private:
+    struct Stencil {
+        Index base;                ///< offset of the lowest of the eight nodes
+        std::array<Real, 8> beta;  ///< -beta_l / (1 + beta_self), own weight zero
+    };
+
+    Vec3 position(const NearNode& n) const { return grid_.position(component_, n.i, n.j, n.k); }
+    bool exists(std::int32_t i, std::int32_t j, std::int32_t k) const;
+    bool touches_other_side(const Field<std::uint8_t>& inside, const NearNode& n) const;
+    template <class F>
+    void for_neighbours(const NearNode& n, F f) const;
+    void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
+    void search_all(const InterceptSearch& search, std::vector<NearNode>& nodes);
+    Index turn_over(GhostState& s);
+    void rebuild(GhostState& s);
+    void collect_ghosts(const GhostState& s);
+    Stencil make_stencil(const NearNode& n, const Vec3& image) const;
+
+    Grid grid_;
+    const Tube* tube_;
+    Location component_;
+    std::vector<char> active_planes_;
+    Box nodes_;
+
+    Field<std::uint8_t> mask_;
+    std::vector<Intercept> intercepts_;    ///< of state.near_wall, same order
+    std::vector<NearNode> turned_, candidates_;
+    std::vector<std::size_t> ghost_index_; ///< positions of the ghosts in near_wall
+    std::vector<Index> offsets_, plane_begin_;
+    std::vector<Stencil> stencils_;
+    std::vector<Real> values_;
+};
+
+} // namespace starling

@@ -1,0 +1,3 @@
+starling_module(immersed_boundary
+  SOURCES transfer.cpp axial_guide.cpp intercept_search.cpp ghost_nodes.cpp
+  DEPENDS starling_flow starling_wall)

@@ -1,0 +1,126 @@
+#include "immersed_boundary/transfer.hpp"
+
+namespace starling {
+
+namespace {
+
+/// Weights of ring position x on nodes at x0 + h n, without the nodes outside (low, high).
+Stencil4 clipped_stencil(Kernel kernel, Real x, Real x0, Real h, Real low, Real high)
+{
+    Stencil4 s = delta_weights(kernel, (x - x0) / h);
+    for (int m = 0; m < 4; ++m) {
+        const Real node = x0 + h * (s.first + m);
+        if (node <= low || node >= high) s.weight[static_cast<std::size_t>(m)] = 0;
+    }
+    return s;
+}
+
+bool reaches(const Stencil4& s, Index plane)
+{
+    const Index m = plane - s.first;
+    return m >= 0 && m < 4 && s.weight[static_cast<std::size_t>(m)] != 0;
+}
+
+} // namespace
+
+Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels)
+    : grid_(g), tube_(&tube), kernels_(kernels), stencils_(static_cast<Index>(tube.X.size()))
+{
+    const Real low = tube.x_clamp_in(), high = tube.x_clamp_out(), h = g.spacing().x;
+    for (Real x : tube.ring_x)
+        ring_stencils_.push_back(
+            {clipped_stencil(kernels.across, x, g.x(Location::cell, 0), h, low, high),
+             clipped_stencil(kernels.along, x, g.x(Location::u, 0), h, low, high)});
+    for (Location c : {Location::cell, Location::u}) {
+        auto& reach = reach_[c == Location::u];
+        reach.resize(static_cast<std::size_t>(g.nx() + 1));
+        for (Index i = 0; i <= g.nx(); ++i) {
+            auto& range = reach[static_cast<std::size_t>(i)];
+            for (Index r = tube.clamp_in + 1; r < tube.clamp_out; ++r)
+                if (reaches(stencil_x(c, r), i)) {
+                    if (range.end == 0) range.begin = r;
+                    range.end = r + 1;
+                }
+        }
+    }
+}
+
+const Stencil4& Transfer::stencil_x(Location c, Index ring) const
+{
+    const RingStencils& s = ring_stencils_[static_cast<std::size_t>(ring)];
+    return c == Location::u ? s.x_face : s.x_cell;
+}
+
+bool Transfer::update(const Array<Vec3>& x)
+{
+    const Vec3 h = grid_.spacing(), origin = grid_.origin();
+    const Real inv_y = 1 / h.y, inv_z = 1 / h.z;
+    const Real top_y = static_cast<Real>(grid_.ny() - 2), top_z = static_cast<Real>(grid_.nz() - 2);
+    VertexStencils* stencils = stencils_.data();
+    const Vec3* position = x.data();
+    const KernelPair kernels = kernels_;
+    Index bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad)
+    for (Index v = tube_->moving_begin(); v < tube_->moving_end(); ++v) {
+        const Real s_y = (position[v].y - origin.y) * inv_y, s_z = (position[v].z - origin.z) * inv_z;
+        if (!(s_y > 2 && s_y < top_y && s_z > 2 && s_z < top_z)) {
+            ++bad;
+            continue;
+        }
+        stencils[v] = {delta_weights(kernels.across, s_y - 0.5), delta_weights(kernels.along, s_y),
+                       delta_weights(kernels.across, s_z - 0.5), delta_weights(kernels.along, s_z)};
+    }
+    return bad == 0;
+}
+
+void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& rhs_field) const
+{
+    const View<Real> rhs = rhs_field.view();
+    const Real inv_volume = 1 / grid_.cell_volume();
+    const auto& reach = reach_[c == Location::u];
+    const auto component = [c](const Vec3& a) {
+        return c == Location::u ? a.x : c == Location::v ? a.y : a.z;
+    };
+    for_range(0, static_cast<Index>(reach.size()), [&, rhs](Index i) {
+        const RingRange range = reach[static_cast<std::size_t>(i)];
+        for (Index ring = range.begin; ring < range.end; ++ring) {
+            const Stencil4& sx = stencil_x(c, ring);
+            const Real weight_x = inv_volume * sx.weight[static_cast<std::size_t>(i - sx.first)];
+            for (Index v = tube_->first(ring); v < tube_->first(ring + 1); ++v) {
+                const Stencil4 &sy = stencil_y(c, stencils_[v]), &sz = stencil_z(c, stencils_[v]);
+                const Real force = weight_x * component(f[v]);
+                for (std::size_t m = 0; m < 4; ++m) {
+                    Real* row = &rhs(i, sy.first + static_cast<Index>(m), sz.first);
+                    const Real a = force * sy.weight[m];
+                    for (std::size_t n = 0; n < 4; ++n) row[n] += a * sz.weight[n];
+                }
+            }
+        }
+    });
+}
+
+void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity) const
+{
+    const View<const Real> u = u_field.view();
+    Vec3* out = velocity.data();
+    for_range(tube_->moving_begin(), tube_->moving_end(), [&, u, out](Index v) {
+        const Stencil4& sx = stencil_x(c, v / tube_->ring_size);
+        const Stencil4 &sy = stencil_y(c, stencils_[v]), &sz = stencil_z(c, stencils_[v]);
+        Real sum = 0;
+        for (std::size_t l = 0; l < 4; ++l) {
+            if (sx.weight[l] == 0) continue;
+            Real plane = 0;
+            for (std::size_t m = 0; m < 4; ++m) {
+                const Real* row = &u(sx.first + static_cast<Index>(l),
+                                     sy.first + static_cast<Index>(m), sz.first);
+                Real line = 0;
+                for (std::size_t n = 0; n < 4; ++n) line += sz.weight[n] * row[n];
+                plane += sy.weight[m] * line;
+            }
+            sum += sx.weight[l] * plane;
+        }
+        (c == Location::u ? out[v].x : c == Location::v ? out[v].y : out[v].z) = sum;
+    });
+}
+
+} // namespace starling
