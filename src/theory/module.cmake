@@ -1,1 +1,4 @@
-# sources are added here as they are written
+starling_module(theory
+  SOURCES block_tridiagonal.cpp clamped_membrane.cpp laws_of_laplace.cpp one_dimensional.cpp
+          theory_report.cpp tube_problem.cpp wave_speed.cpp
+  DEPENDS starling_core starling_wall starling_config fmt::fmt)

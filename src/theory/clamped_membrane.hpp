@@ -1,0 +1,55 @@
+#pragma once
+/// The discrete equations of the one-dimensional tube on one mesh, and Newton's method for them.
+///
+/// Linear elements in x with the trapezoidal rule: second order on a mesh that is a smooth map of
+/// a uniform one. Pressures are in units of G_s. Derivation: docs/theory.md.
+#include <vector>
+
+#include "theory/block_tridiagonal.hpp"
+#include "wall/materials.hpp"
+
+namespace starling {
+
+/// R and P at the nodes of the deforming part; `gradient` is -dP/dx in the rigid ends,
+/// 8 Q/(pi Re), so that -dP/dx = gradient/R^4 everywhere.
+struct MembraneState {
+    std::vector<Real> R, P;
+    Real gradient = 0;
+};
+
+/// Pressures at the two ends of the whole tube and outside it.
+struct MembraneLoad {
+    Real P_inlet = 0, P_outlet = 0, P_external = 0;
+};
+
+/// A membrane tube of modulus G_s = 1, clamped at R = 1 at both ends of its mesh.
+class ClampedMembrane {
+public:
+    /// `x` increases from clamp to clamp; `law` has G_s = 1.
+    ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law);
+
+    MembraneState undeformed() const;
+
+    /// Newton's method from `state`; true if it converged to round-off. On false, `state` is
+    /// spoilt.
+    bool solve(const MembraneLoad& load, MembraneState& state) const;
+
+    const std::vector<Real>& x() const { return x_; }
+
+private:
+    struct System;
+
+    System assemble(const MembraneLoad& load, const MembraneState& state) const;
+    template <class Law>
+    void add_ring_balance(const Law& law, const MembraneLoad& load, const MembraneState& state,
+                          System& system) const;
+    void add_pressure_drop(const MembraneLoad& load, const MembraneState& state,
+                           System& system) const;
+    Real newton_step(const MembraneLoad& load, MembraneState& state) const;
+
+    std::vector<Real> x_;
+    Real rigid_inlet_, rigid_outlet_;
+    Material law_;
+};
+
+} // namespace starling

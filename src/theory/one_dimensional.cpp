@@ -1,0 +1,188 @@
+#include "theory/one_dimensional.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/error.hpp"
+#include "theory/clamped_membrane.hpp"
+#include "theory/poiseuille.hpp"
+
+namespace starling {
+
+namespace {
+
+Real interpolate(const std::vector<Real>& x, const std::vector<Real>& values, Real position)
+{
+    const auto right = std::upper_bound(x.begin(), x.end(), position);
+    if (right == x.begin()) return values.front();
+    if (right == x.end()) return values.back();
+    const auto j = static_cast<std::size_t>(right - x.begin());
+    const Real s = (position - x[j - 1]) / (x[j] - x[j - 1]);
+    return (1 - s) * values[j - 1] + s * values[j];
+}
+
+/// Nodes from a to b, about 30 times denser at both ends than on average: boundary layers there.
+std::vector<Real> clustered_nodes(Real a, Real b, Index intervals)
+{
+    constexpr Real beta = 3;
+    std::vector<Real> x(static_cast<std::size_t>(intervals + 1));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const Real s = 2 * static_cast<Real>(i) / static_cast<Real>(intervals) - 1;
+        x[i] = (a + b) / 2 + (b - a) / 2 * std::tanh(beta * s) / std::tanh(beta);
+    }
+    x.front() = a;
+    x.back() = b;
+    return x;
+}
+
+/// The membrane of `problem` with pressures in units of G_s.
+ClampedMembrane membrane(const TubeProblem& problem, Index intervals)
+{
+    return {clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals),
+            problem.tube.rigid_inlet, problem.tube.rigid_outlet,
+            make_material(problem.material, 1 / problem.material.eps)}; // G_s = 1
+}
+
+/// The load of `problem` times `fraction`, in units of G_s.
+MembraneLoad membrane_load(const TubeProblem& problem, Real fraction)
+{
+    const Real k = fraction / shear_modulus(problem.material, problem.fluid.reynolds);
+    const DriveParameters& d = problem.drive;
+    return {k * d.pressure_inlet, k * d.pressure_outlet, k * d.pressure_external};
+}
+
+/// b + t (b - a).
+std::vector<Real> extrapolate(const std::vector<Real>& a, const std::vector<Real>& b, Real t)
+{
+    std::vector<Real> c(b);
+    for (std::size_t i = 0; i < c.size(); ++i) c[i] += t * (b[i] - a[i]);
+    return c;
+}
+
+MembraneState extrapolate(const MembraneState& a, const MembraneState& b, Real t)
+{
+    return {extrapolate(a.R, b.R, t), extrapolate(a.P, b.P, t),
+            b.gradient + t * (b.gradient - a.gradient)};
+}
+
+/// False if the wall moved so far that the solution may lie on another branch.
+bool near(const MembraneState& a, const MembraneState& b)
+{
+    for (std::size_t i = 0; i < a.R.size(); ++i)
+        if (!(b.R[i] < 1.3 * a.R[i] && b.R[i] > a.R[i] / 1.3)) return false;
+    return true;
+}
+
+[[noreturn]] void no_solution(const TubeProblem& problem, Real fraction)
+{
+    throw NumericalError(0, 0,
+                         "the one-dimensional model finds no steady tube beyond " +
+                             std::to_string(fraction) +
+                             " of the given pressures (Delta P/Delta P_0 = " +
+                             std::to_string(fraction * problem.pressure_ratio()) + ")",
+                         "smaller pressures or a stiffer wall (smaller eps)");
+}
+
+/// Follows the solution from the unloaded tube to the full load, with steps that adapt.
+MembraneState load_up(const TubeProblem& problem, const ClampedMembrane& tube)
+{
+    constexpr Real smallest_step = 1e-5;
+    MembraneState before = tube.undeformed(), now = before;
+    Real fraction = 0, step = 0.25, last_step = 1;
+    while (fraction < 1) {
+        step = std::min(step, 1 - fraction);
+        MembraneState next = extrapolate(before, now, step / last_step);
+        if (tube.solve(membrane_load(problem, fraction + step), next) && near(now, next)) {
+            before = std::exchange(now, std::move(next));
+            fraction = step < 1 - fraction ? fraction + step : 1;
+            last_step = step;
+            step *= 1.5;
+        } else {
+            step /= 2;
+            if (step < smallest_step) no_solution(problem, fraction);
+        }
+    }
+    return now;
+}
+
+/// Solution on the nodes of the coarse mesh: (4 fine - coarse)/3 removes the second-order error.
+MembraneState solve_membrane(const TubeProblem& problem, Index intervals)
+{
+    const ClampedMembrane coarse = membrane(problem, intervals);
+    const ClampedMembrane fine = membrane(problem, 2 * intervals);
+    const MembraneState on_coarse = load_up(problem, coarse);
+    MembraneState on_fine = fine.undeformed();
+    on_fine.gradient = on_coarse.gradient;
+    for (std::size_t i = 0; i < fine.x().size(); ++i) {
+        on_fine.R[i] = interpolate(coarse.x(), on_coarse.R, fine.x()[i]);
+        on_fine.P[i] = interpolate(coarse.x(), on_coarse.P, fine.x()[i]);
+    }
+    if (!fine.solve(membrane_load(problem, 1), on_fine)) on_fine = load_up(problem, fine);
+    MembraneState every_second = on_coarse;
+    every_second.gradient = on_fine.gradient;
+    for (std::size_t i = 0; i < every_second.R.size(); ++i) {
+        every_second.R[i] = on_fine.R[2 * i];
+        every_second.P[i] = on_fine.P[2 * i];
+    }
+    return extrapolate(on_coarse, every_second, 1.0 / 3);
+}
+
+/// R_max and x_R_max from the parabola through the largest node and its neighbours.
+void find_largest_radius(OneDimensionalTube& tube)
+{
+    const auto at = std::max_element(tube.R.begin(), tube.R.end());
+    const auto i = static_cast<std::size_t>(at - tube.R.begin());
+    tube.R_max = tube.R[i];
+    tube.x_R_max = tube.x[i];
+    if (i == 0 || i + 1 == tube.x.size()) return;
+    const Real a = tube.x[i] - tube.x[i - 1], b = tube.x[i + 1] - tube.x[i];
+    const Real left = (tube.R[i] - tube.R[i - 1]) / a, right = (tube.R[i + 1] - tube.R[i]) / b;
+    const Real curvature = 2 * (right - left) / (a + b);
+    const Real slope = (b * left + a * right) / (a + b);
+    const bool at_clamp = tube.R_max <= 1;
+    if (at_clamp || !(curvature < 0)) return;
+    tube.x_R_max -= slope / curvature;
+    tube.R_max -= slope * slope / (2 * curvature);
+}
+
+OneDimensionalTube rigid_tube(const TubeProblem& problem)
+{
+    const DriveParameters& d = problem.drive;
+    const Real L = problem.tube.length;
+    return {.x = {0, L},
+            .R = {1, 1},
+            .P = {d.pressure_inlet, d.pressure_outlet},
+            .Q = poiseuille::flow_rate(problem.pressure_drop(), L, problem.fluid.reynolds)};
+}
+
+} // namespace
+
+Real OneDimensionalTube::R_at(Real position) const { return interpolate(x, R, position); }
+Real OneDimensionalTube::P_at(Real position) const { return interpolate(x, P, position); }
+
+OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals)
+{
+    if (problem.tube.rigid) return rigid_tube(problem);
+    const MembraneState state = solve_membrane(problem, intervals);
+    const Real G_s = shear_modulus(problem.material, problem.fluid.reynolds);
+    OneDimensionalTube tube;
+    tube.x = clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals);
+    tube.R = state.R;
+    for (const Real P : state.P) tube.P.push_back(P * G_s);
+    tube.Q = pi * problem.fluid.reynolds / 8 * state.gradient * G_s;
+    find_largest_radius(tube);
+    if (problem.tube.rigid_inlet > 0) {
+        tube.x.insert(tube.x.begin(), 0);
+        tube.R.insert(tube.R.begin(), 1);
+        tube.P.insert(tube.P.begin(), problem.drive.pressure_inlet);
+    }
+    if (problem.tube.rigid_outlet > 0) {
+        tube.x.push_back(problem.tube.length);
+        tube.R.push_back(1);
+        tube.P.push_back(problem.drive.pressure_outlet);
+    }
+    return tube;
+}
+
+} // namespace starling
