@@ -29,7 +29,8 @@ struct DiffusionLine {
 inline DiffusionLine diffusion_line(const Grid& g, Location c, int direction, Real a)
 {
     if (direction == 0)
-        return c == Location::u ? DiffusionLine{a, g.nx(), 2, 2} : DiffusionLine{a, g.nx() - 1, 1, 1};
+        return c == Location::u ? DiffusionLine{a, g.nx(), 2, 2}
+                                : DiffusionLine{a, g.nx() - 1, 1, 1};
     return c == Location::v ? DiffusionLine{a, g.ny() - 2, 2, 1}
                             : DiffusionLine{a, g.ny() - 1, 3, 1};
 }

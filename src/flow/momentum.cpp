@@ -30,8 +30,7 @@ struct ExplicitTerms {
         const Real N = advection(n);
         const Real gradient = (P.data[n] - P.data[n - P.stride(axis(C))]) * inv_h;
         const Real N_half = weight * N - weight_before * N_before.data[n];
-        rhs.data[n] =
-            dt * (rhs.data[n] - gradient - N_half + inv_reynolds * laplacian(u, n));
+        rhs.data[n] = dt * (rhs.data[n] - gradient - N_half + inv_reynolds * laplacian(u, n));
         N_before.data[n] = N;
     }
 };
@@ -51,9 +50,16 @@ void Momentum::explicit_terms_and_plane_solves(FluidState& s, ScalarField& rhs_f
     const Real ratio = s.dt_before > 0 ? dt / s.dt_before : 0;
     const View<Real> rhs = rhs_field.view();
     const View<const Real> u = s.u[C].view();
-    const ExplicitTerms<C> terms{Advection<C>(grid_, s.u), Laplacian(grid_.spacing()), u,
-                                 s.P.view(), s.N_before[C].view(), rhs,
-                                 1 / spacing(grid_, axis(C)), inv_reynolds_, dt, 1 + ratio / 2,
+    const ExplicitTerms<C> terms{Advection<C>(grid_, s.u),
+                                 Laplacian(grid_.spacing()),
+                                 u,
+                                 s.P.view(),
+                                 s.N_before[C].view(),
+                                 rhs,
+                                 1 / spacing(grid_, axis(C)),
+                                 inv_reynolds_,
+                                 dt,
+                                 1 + ratio / 2,
                                  ratio / 2};
     const auto implicit = [&](int d) {
         const Real h = spacing(grid_, d);
@@ -97,9 +103,8 @@ void Momentum::x_solve_and_add(ScalarField& u_field, ScalarField& increment,
     const View<const std::uint8_t> mask = prescribed.mask;
     const View<Real> delta = increment.view(), u = u_field.view();
     lines_.solve(delta.data, delta.stride_x, delta.stride_y, box.end[0], {box.begin[1], box.end[1]},
-                 grid_.nz(), [=](Index i, Index j, Index k) {
-                     return line.row(i, mask(i, j, k) != 0);
-                 });
+                 grid_.nz(),
+                 [=](Index i, Index j, Index k) { return line.row(i, mask(i, j, k) != 0); });
     for_each(box, [=](Index i, Index j, Index k) { u(i, j, k) += delta(i, j, k); });
     fill_velocity_halo(grid_, C, u_field);
 }

@@ -72,8 +72,7 @@ void PeriodicLines::solve(Real* x, const std::uint8_t* mask, Index stride, Index
         factor[r] = (y[r] + s_n * y[n * b + r]) / (1 + q[r] + s_n * q[n * b + r]);
     }
     for (Index r = 0; r < rows; ++r)
-        for (Index k = 0; k < nz; ++k)
-            x[r * stride + k] = y[k * b + r] - factor[r] * q[k * b + r];
+        for (Index k = 0; k < nz; ++k) x[r * stride + k] = y[k * b + r] - factor[r] * q[k * b + r];
 }
 
 } // namespace starling

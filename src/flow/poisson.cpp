@@ -63,8 +63,8 @@ Poisson::Poisson(const Grid& g)
       lines_(g.nx(), row_), plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
 {
     for (Index j = 0; j < g.ny(); ++j)
-        eigenvalues_y_[j] = second_difference(
-            pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
+        eigenvalues_y_[j] =
+            second_difference(pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
     for (Index k = 0; k < row_; ++k)
         eigenvalues_z_[k] = second_difference(
             2 * pi * static_cast<Real>(k / 2) / static_cast<Real>(g.nz()), g.spacing().z);

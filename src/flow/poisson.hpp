@@ -34,8 +34,8 @@ private:
 
     Grid grid_;
     Box cells_;
-    Index row_;               ///< reals per transformed row: 2 (nz/2 + 1)
-    Array<Real> buffer_;      ///< nx planes of ny rows of row_ values
+    Index row_;                 ///< reals per transformed row: 2 (nz/2 + 1)
+    Array<Real> buffer_;        ///< nx planes of ny rows of row_ values
     Array<Real> eigenvalues_y_; ///< of the second difference under the cosine transform
     Array<Real> eigenvalues_z_; ///< of the second difference in Fourier space, per stored real
     XLines lines_;

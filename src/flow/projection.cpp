@@ -34,8 +34,8 @@ void Projection::project(FluidState& s, Real dt)
 {
     const DivergenceAtCell divergence_at_cell(grid_, s.u);
     const Real inv_dt = 1 / dt;
-    poisson_.solve(
-        [=](Index i, Index j, Index k) { return inv_dt * divergence_at_cell(i, j, k); }, phi_);
+    poisson_.solve([=](Index i, Index j, Index k) { return inv_dt * divergence_at_cell(i, j, k); },
+                   phi_);
     for (Location c : components) subtract_gradient(grid_, c, s.u[c], phi_, dt);
 
     const View<Real> P = s.P.view();

@@ -3,9 +3,10 @@
 namespace starling {
 
 Grid::Grid(std::array<Index, 3> cells, Vec3 origin, Vec3 lengths)
-    : cells_(cells), origin_(origin), lengths_(lengths),
-      spacing_{lengths.x / static_cast<Real>(cells[0]), lengths.y / static_cast<Real>(cells[1]),
-               lengths.z / static_cast<Real>(cells[2])},
+    : cells_(cells), origin_(origin),
+      lengths_(lengths), spacing_{lengths.x / static_cast<Real>(cells[0]),
+                                  lengths.y / static_cast<Real>(cells[1]),
+                                  lengths.z / static_cast<Real>(cells[2])},
       delta_(std::cbrt(spacing_.x * spacing_.y * spacing_.z))
 {
 }
@@ -44,10 +45,9 @@ Grid make_grid(const GridParameters& p, Real tube_length)
 {
     const std::array<Index, 3> cells =
         p.cells ? *p.cells
-                : std::array<Index, 3>{
-                      std::max<Index>(2, std::llround(tube_length / p.spacing)),
-                      nearest_smooth(p.width_y / p.spacing, true),
-                      nearest_smooth(p.width_z / p.spacing, true)};
+                : std::array<Index, 3>{std::max<Index>(2, std::llround(tube_length / p.spacing)),
+                                       nearest_smooth(p.width_y / p.spacing, true),
+                                       nearest_smooth(p.width_z / p.spacing, true)};
     return Grid(cells, {0, -p.width_y / 2 - p.tube_offset_y, -p.width_z / 2 - p.tube_offset_z},
                 {tube_length, p.width_y, p.width_z});
 }

@@ -31,7 +31,8 @@ struct DivergenceAtCell {
 struct Laplacian {
     Real ax, ay, az;
 
-    explicit Laplacian(const Vec3& h) : ax(1 / (h.x * h.x)), ay(1 / (h.y * h.y)), az(1 / (h.z * h.z))
+    explicit Laplacian(const Vec3& h)
+        : ax(1 / (h.x * h.x)), ay(1 / (h.y * h.y)), az(1 / (h.z * h.z))
     {
     }
     Real operator()(View<const Real> f, Index n) const

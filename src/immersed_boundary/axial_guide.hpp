@@ -23,7 +23,8 @@ public:
     void constrain_force(const Tube& tube, const Geometry& geometry, Array<Vec3>& f) const;
 
     /// Turns the fluid's velocity at the moving vertices into the wall's, with no axial part.
-    void constrain_velocity(const Tube& tube, const Geometry& geometry, Array<Vec3>& velocity) const;
+    void constrain_velocity(const Tube& tube, const Geometry& geometry,
+                            Array<Vec3>& velocity) const;
 
 private:
     CouplingScheme scheme_;

@@ -6,8 +6,8 @@ namespace starling {
 
 /// How wall forces reach the fluid and the fluid's velocity reaches the wall.
 enum class CouplingScheme {
-    printed,  ///< Eq. (35) as printed: cosine kernel, f_y and f_z only
-    reaction, ///< + the normal reaction of the axial guide as f_x
+    printed,    ///< Eq. (35) as printed: cosine kernel, f_y and f_z only
+    reaction,   ///< + the normal reaction of the axial guide as f_x
     conserving, ///< composite B-splines, reaction and its adjoint in the wall motion
 };
 

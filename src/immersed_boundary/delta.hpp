@@ -39,7 +39,8 @@ inline Stencil4 delta_weights(Kernel kernel, Real s)
     }
     case Kernel::cubic_bspline: {
         const Real r = 1 - t;
-        w = {r * r * r / 6, 2. / 3 - t * t * (1 - t / 2), 2. / 3 - r * r * (1 - r / 2), t * t * t / 6};
+        w = {r * r * r / 6, 2. / 3 - t * t * (1 - t / 2), 2. / 3 - r * r * (1 - r / 2),
+             t * t * t / 6};
         break;
     }
     }

@@ -22,16 +22,14 @@ bool same_node(const NearNode& a, const NearNode& b)
 GhostNodes::GhostNodes(const Grid& g, const Tube& tube, Location component,
                        std::vector<char> active_planes)
     : grid_(g), tube_(&tube), component_(component), active_planes_(std::move(active_planes)),
-      nodes_(g.unknowns(component)), mask_(g),
-      plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
+      nodes_(g.unknowns(component)), mask_(g), plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
 {
 }
 
 bool GhostNodes::exists(std::int32_t i, std::int32_t j, std::int32_t k) const
 {
-    return i >= nodes_.begin[0] && i < nodes_.end[0] && j >= nodes_.begin[1] &&
-           j < nodes_.end[1] && k >= nodes_.begin[2] && k < nodes_.end[2] &&
-           active_planes_[static_cast<std::size_t>(i)];
+    return i >= nodes_.begin[0] && i < nodes_.end[0] && j >= nodes_.begin[1] && j < nodes_.end[1] &&
+           k >= nodes_.begin[2] && k < nodes_.end[2] && active_planes_[static_cast<std::size_t>(i)];
 }
 
 template <class F>
@@ -48,9 +46,8 @@ bool GhostNodes::touches_other_side(const Field<std::uint8_t>& inside, const Nea
 {
     const auto flags = inside.view();
     bool touches = false;
-    for_neighbours(n, [&](const NearNode& m) {
-        touches |= flags(m.i, m.j, m.k) != flags(n.i, n.j, n.k);
-    });
+    for_neighbours(
+        n, [&](const NearNode& m) { touches |= flags(m.i, m.j, m.k) != flags(n.i, n.j, n.k); });
     return touches;
 }
 
@@ -94,8 +91,8 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
                 const auto nearest = std::min_element(
                     points.begin(), points.end(),
                     [&](const Point2& a, const Point2& b) { return distance(a) < distance(b); });
-                n.element = section.first_element() +
-                            static_cast<ElementIndex>(nearest - points.begin());
+                n.element =
+                    section.first_element() + static_cast<ElementIndex>(nearest - points.begin());
                 s.near_wall.push_back(n);
             }
     }
@@ -156,8 +153,7 @@ void GhostNodes::rebuild(GhostState& s)
                candidates_.begin() + old, s.near_wall.begin(), in_memory_order);
     s.near_wall.erase(std::unique(s.near_wall.begin(), s.near_wall.end(), same_node),
                       s.near_wall.end());
-    std::erase_if(s.near_wall,
-                  [&](const NearNode& n) { return !touches_other_side(s.inside, n); });
+    std::erase_if(s.near_wall, [&](const NearNode& n) { return !touches_other_side(s.inside, n); });
 }
 
 bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
@@ -237,9 +233,9 @@ void GhostNodes::evaluate(const ScalarField& u_field)
         const Real* p = u.data + s.base;
         Real sum = 0;
         for (std::size_t l = 0; l < 8; ++l)
-            sum += s.beta[l] * p[static_cast<Index>(l / 4) * u.stride_x +
-                                 static_cast<Index>(l / 2 % 2) * u.stride_y +
-                                 static_cast<Index>(l % 2)];
+            sum += s.beta[l] *
+                   p[static_cast<Index>(l / 4) * u.stride_x +
+                     static_cast<Index>(l / 2 % 2) * u.stride_y + static_cast<Index>(l % 2)];
         values[g] = sum;
     });
 }

@@ -30,7 +30,8 @@ class GhostNodes {
 public:
     /// Ghost nodes live on the planes i for which x_low <= x < x_high or x_low2 <= x < x_high2 ...
     /// given as `active_planes`, one flag per plane.
-    GhostNodes(const Grid& g, const Tube& tube, Location component, std::vector<char> active_planes);
+    GhostNodes(const Grid& g, const Tube& tube, Location component,
+               std::vector<char> active_planes);
 
     /// Finds everything from scratch for the wall at x.
     void initialise(const Array<Vec3>& x, const InterceptSearch& search, GhostState& s);
@@ -52,8 +53,8 @@ public:
 
 private:
     struct Stencil {
-        Index base;                ///< offset of the lowest of the eight nodes
-        std::array<Real, 8> beta;  ///< -beta_l / (1 + beta_self), own weight zero
+        Index base;               ///< offset of the lowest of the eight nodes
+        std::array<Real, 8> beta; ///< -beta_l / (1 + beta_self), own weight zero
     };
 
     Vec3 position(const NearNode& n) const { return grid_.position(component_, n.i, n.j, n.k); }
@@ -75,7 +76,7 @@ private:
     Box nodes_;
 
     Field<std::uint8_t> mask_;
-    std::vector<Intercept> intercepts_;    ///< of state.near_wall, same order
+    std::vector<Intercept> intercepts_; ///< of state.near_wall, same order
     std::vector<NearNode> turned_, candidates_;
     std::vector<std::size_t> ghost_index_; ///< positions of the ghosts in near_wall
     std::vector<Index> offsets_, plane_begin_;

@@ -54,7 +54,8 @@ Intercept InterceptSearch::walk(const Vec3& p, ElementIndex start) const
         if (here.on == Nearest::On::side) {
             consider(mesh_->neighbour(here.element, here.feature));
         } else {
-            const VertexIndex v = mesh_->element(here.element)[static_cast<std::size_t>(here.feature)];
+            const VertexIndex v =
+                mesh_->element(here.element)[static_cast<std::size_t>(here.feature)];
             for (const Corner* c = mesh_->corners_begin(v); c != mesh_->corners_end(v); ++c)
                 consider(c->element);
         }

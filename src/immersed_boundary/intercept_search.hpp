@@ -11,7 +11,7 @@ struct Intercept {
     ElementIndex element = 0; ///< intercept element (IE)
     Vec3 point;               ///< boundary intercept (BI)
     Real squared_distance = 0;
-    bool outside = false;     ///< the node lies on the outer side of the wall
+    bool outside = false; ///< the node lies on the outer side of the wall
 };
 
 /// The wall at one time, as the search sees it. Holds references: positions and geometry must

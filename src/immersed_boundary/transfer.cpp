@@ -62,7 +62,8 @@ bool Transfer::update(const Array<Vec3>& x)
     Index bad = 0;
 #pragma omp parallel for schedule(static) reduction(+ : bad)
     for (Index v = tube_->moving_begin(); v < tube_->moving_end(); ++v) {
-        const Real s_y = (position[v].y - origin.y) * inv_y, s_z = (position[v].z - origin.z) * inv_z;
+        const Real s_y = (position[v].y - origin.y) * inv_y,
+                   s_z = (position[v].z - origin.z) * inv_z;
         if (!(s_y > 2 && s_y < top_y && s_z > 2 && s_z < top_z)) {
             ++bad;
             continue;

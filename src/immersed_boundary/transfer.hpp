@@ -51,8 +51,8 @@ private:
     Grid grid_;
     const Tube* tube_;
     KernelPair kernels_;
-    std::vector<RingStencils> ring_stencils_;         ///< x never changes: computed once
-    std::array<std::vector<RingRange>, 2> reach_;     ///< per plane; 0: cells, 1: faces
+    std::vector<RingStencils> ring_stencils_;     ///< x never changes: computed once
+    std::array<std::vector<RingRange>, 2> reach_; ///< per plane; 0: cells, 1: faces
     Array<VertexStencils> stencils_;
 };
 

@@ -11,14 +11,11 @@ namespace starling {
 class XLines {
 public:
     /// Scratch for `planes` unknowns along x and rows of `width` values, one part per thread.
-    XLines(Index planes, Index width)
-        : size_(planes * width), scratch_(size_ * max_threads())
-    {
-    }
+    XLines(Index planes, Index width) : size_(planes * width), scratch_(size_ * max_threads()) {}
 
     template <class Coefficients>
-    void solve(Real* data, Index stride_x, Index stride_y, Index planes,
-               std::array<Index, 2> rows, Index width, Coefficients coefficients)
+    void solve(Real* data, Index stride_x, Index stride_y, Index planes, std::array<Index, 2> rows,
+               Index width, Coefficients coefficients)
     {
         Real* scratch = scratch_.data();
         const Index size = size_;

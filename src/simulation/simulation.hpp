@@ -5,15 +5,10 @@
 #include <vector>
 
 #include "config/case.hpp"
+#include "simulation/time_step.hpp"
 #include "solver/monitor_data.hpp"
 
 namespace starling {
-
-/// A bound on the time step and what it comes from ("membrane stiffness", "CFL", ...).
-struct TimeStepLimit {
-    std::string name;
-    Real dt;
-};
 
 /// Seconds spent in one phase of the step.
 struct PhaseTime {
@@ -33,7 +28,7 @@ public:
 
     Real time() const;
     Index steps() const;
-    Real dt() const;                      ///< step the next call of step() takes
+    Real dt() const;                       ///< step the next call of step() takes
     const TimeStepLimit& limiting() const; ///< the bound that sets dt
     Index cells() const;
     Index vertices() const;
@@ -50,9 +45,5 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// The named limits on dt for a case at largest speed u_max (U_c); the smallest binds. See
-/// docs/numerics.md for where each comes from.
-std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max);
 
 } // namespace starling

@@ -19,23 +19,23 @@ struct Sample {
     Real dV_dt = 0;                      ///< change of the enclosed volume
     Real leak = 0;                       ///< dV/dt - (Q_in - Q_out)
     Real volume = 0;
-    Real R_max = 0, x_R_max = 0;         ///< largest ring-averaged radius and where
-    Real R_min = 0;                      ///< smallest vertex distance from the axis
-    Real smallest_gap = 0;               ///< smallest distance between opposite walls
+    Real R_max = 0, x_R_max = 0; ///< largest ring-averaged radius and where
+    Real R_min = 0;              ///< smallest vertex distance from the axis
+    Real smallest_gap = 0;       ///< smallest distance between opposite walls
     Real kinetic_energy = 0, elastic_energy = 0;
     Real largest_displacement = 0;
-    Real max_strain = 0;                 ///< largest principal stretch - 1
-    Real cfl = 0;                        ///< max |u| dt / Delta
+    Real max_strain = 0; ///< largest principal stretch - 1
+    Real cfl = 0;        ///< max |u| dt / Delta
 };
 
 /// One row of profile.csv; rows lie at the planes of vertices of the wall.
 struct ProfileRow {
     Real x = 0;
     Real R_mean = 0, R_min = 0, R_max = 0;
-    Real area = 0;                       ///< of the polygon through the ring's vertices
-    Real P_centre = 0;                   ///< pressure on the tube's axis
-    Real P_transmural = 0;               ///< ring-averaged internal - external pressure
-    Real Q = 0;                          ///< flow rate inside the tube
+    Real area = 0;         ///< of the polygon through the ring's vertices
+    Real P_centre = 0;     ///< pressure on the tube's axis
+    Real P_transmural = 0; ///< ring-averaged internal - external pressure
+    Real Q = 0;            ///< flow rate inside the tube
 };
 
 /// Named values on points or cells, `components` per location, interleaved.
@@ -60,8 +60,8 @@ struct WallSnapshot {
 struct FluidSnapshot {
     Real t = 0;
     Index step = 0;
-    std::array<Index, 3> cells{};  ///< nx, ny, nz
-    Vec3 origin;                   ///< corner of the box with the smallest coordinates
+    std::array<Index, 3> cells{}; ///< nx, ny, nz
+    Vec3 origin;                  ///< corner of the box with the smallest coordinates
     Vec3 spacing;
     std::vector<NamedArray> at_cell;
 };

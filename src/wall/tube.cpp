@@ -52,7 +52,8 @@ Tube make_tube(const TubeParameters& p, Real edge)
     for (VertexIndex r = 0; r < static_cast<VertexIndex>(tube.rings()); ++r)
         for (VertexIndex t = 0; t < n; ++t) {
             const Real theta = 2 * pi * (t + 0.5 * (r % 2)) / n;
-            tube.X.push_back({tube.ring_x[static_cast<std::size_t>(r)], std::cos(theta), std::sin(theta)});
+            tube.X.push_back(
+                {tube.ring_x[static_cast<std::size_t>(r)], std::cos(theta), std::sin(theta)});
             if (r + 1 < static_cast<VertexIndex>(tube.rings())) append_elements(elements, r, t, n);
         }
     tube.mesh = WallMesh(static_cast<VertexIndex>(tube.X.size()), std::move(elements));

@@ -11,9 +11,9 @@ namespace starling {
 /// ascending x: vertex = ring * ring_size + position. Vertices never leave their x.
 struct Tube {
     WallMesh mesh;
-    std::vector<Vec3> X;      ///< undeformed positions
-    std::vector<Real> ring_x; ///< x of each ring; a ring lies exactly on each clamp
-    VertexIndex ring_size = 0; ///< vertices per ring, even
+    std::vector<Vec3> X;               ///< undeformed positions
+    std::vector<Real> ring_x;          ///< x of each ring; a ring lies exactly on each clamp
+    VertexIndex ring_size = 0;         ///< vertices per ring, even
     Index clamp_in = 0, clamp_out = 0; ///< rings on the clamps; rings strictly between may move
 
     Index rings() const { return static_cast<Index>(ring_x.size()); }

@@ -22,7 +22,8 @@ void WallMesh::collect_corners()
     std::vector<std::size_t> next(corner_begin_.begin(), corner_begin_.end() - 1);
     for (ElementIndex e = 0; e < element_count(); ++e)
         for (std::int32_t c = 0; c < 3; ++c)
-            corners_[next[static_cast<std::size_t>(element(e)[static_cast<std::size_t>(c)])]++] = {e, c};
+            corners_[next[static_cast<std::size_t>(element(e)[static_cast<std::size_t>(c)])]++] = {
+                e, c};
 }
 
 void WallMesh::connect_neighbours()

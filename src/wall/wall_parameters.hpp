@@ -7,9 +7,9 @@ namespace starling {
 /// Geometry of the undeformed tube, radius 1: rigid inlet, deforming part, rigid outlet.
 struct TubeParameters {
     Real length = 4 * pi;
-    Real rigid_inlet = 1.18;   ///< length of the rigid inlet
-    Real rigid_outlet = 0.39;  ///< length of the rigid outlet
-    bool rigid = false;        ///< the whole tube is rigid (rigid_inlet, rigid_outlet unused)
+    Real rigid_inlet = 1.18;       ///< length of the rigid inlet
+    Real rigid_outlet = 0.39;      ///< length of the rigid outlet
+    bool rigid = false;            ///< the whole tube is rigid (rigid_inlet, rigid_outlet unused)
     Real edge_over_spacing = 0.65; ///< triangle edge relative to the grid spacing
 };
 
@@ -18,10 +18,11 @@ enum class ElasticLaw { hooke, neo_hookean, mooney_rivlin, skalak };
 /// Membrane material in the paper's scaling: G_s* = 1/(Re eps).
 struct MaterialParameters {
     ElasticLaw law = ElasticLaw::hooke;
-    Real eps = 0.02;         ///< deformability mu U_c / G_s
-    Real poisson_ratio = 0.5;///< nu_s (Hooke; for Skalak it sets C = nu_s/(1 - nu_s) unless C is given)
-    Real psi = 0.5;          ///< Mooney-Rivlin Psi in [0, 1]
-    Real skalak_C = 1;       ///< Skalak's area modulus over G_s
+    Real eps = 0.02; ///< deformability mu U_c / G_s
+    Real poisson_ratio =
+        0.5;           ///< nu_s (Hooke; for Skalak it sets C = nu_s/(1 - nu_s) unless C is given)
+    Real psi = 0.5;    ///< Mooney-Rivlin Psi in [0, 1]
+    Real skalak_C = 1; ///< Skalak's area modulus over G_s
 };
 
 } // namespace starling

@@ -7,7 +7,7 @@ namespace starling {
 
 /// Positions and velocities of the vertices.
 struct WallState {
-    Array<Vec3> x; ///< position (R_0)
+    Array<Vec3> x;        ///< position (R_0)
     Array<Vec3> velocity; ///< wall velocity of the last step (U_c), zero in rigid parts
 
     explicit WallState(const Tube& tube)

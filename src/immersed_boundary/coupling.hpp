@@ -1,0 +1,49 @@
+#pragma once
+/// The hybrid coupling of fluid and wall, Eq. (35): the only place where the two meet in a step.
+#include "immersed_boundary/axial_guide.hpp"
+#include "immersed_boundary/ghost_nodes.hpp"
+#include "immersed_boundary/transfer.hpp"
+
+namespace starling {
+
+using GhostStates = std::array<GhostState, 3>;
+
+/// Ghost nodes act on u everywhere and on v and w in the rigid parts; in the deforming part v and w
+/// move the wall and carry its forces.
+class Coupling {
+public:
+    /// `tube` and `geometry` must outlive the coupling.
+    Coupling(const Grid& g, const Tube& tube, const Geometry& geometry, CouplingScheme scheme);
+
+    /// Finds all ghost nodes from scratch for the wall at x (geometry up to date).
+    void initialise(const WallState& wall, GhostStates& ghosts);
+
+    /// Weights and ghost nodes for the present wall (geometry up to date). Returns false if a
+    /// vertex is not finite, leaves the box or moved by more than a spacing.
+    bool update(const WallState& wall, GhostStates& ghosts);
+
+    /// F = force of the wall on the fluid at the faces; f comes in as a force on each vertex and
+    /// leaves with the axial reaction. (28)
+    void spread(Array<Vec3>& f, VectorField& F) const;
+
+    /// Ghost-node values from the present velocity. (44)
+    PrescribedVelocity no_slip(const VectorField& u);
+
+    /// Moves the wall with the fluid's velocity for dt. (29), (30)
+    void move(const VectorField& u, WallState& wall, Real dt) const;
+
+    const GhostNodes& ghosts(Location c) const
+    {
+        return ghosts_[static_cast<std::size_t>(axis(c))];
+    }
+
+private:
+    Grid grid_;
+    const Tube* tube_;
+    const Geometry* geometry_;
+    AxialGuide guide_;
+    Transfer transfer_;
+    std::array<GhostNodes, 3> ghosts_;
+};
+
+} // namespace starling

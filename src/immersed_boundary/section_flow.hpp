@@ -1,0 +1,33 @@
+#pragma once
+/// Flow rate through cross-sections of the tube, and values of the fluid at points.
+#include "grid/field.hpp"
+#include "wall/cross_section.hpp"
+
+namespace starling {
+
+/// Integrates u over the inside of the wall's cross-section with a face plane: midpoint rule in
+/// cells that lie inside entirely, bilinear interpolation over the covered part of cut cells
+/// (second order; u is continued oddly through the wall by the ghost nodes).
+class SectionFlow {
+public:
+    SectionFlow(const Grid& g, const Tube& tube);
+
+    /// Flow rate inside the tube through face plane i (R_0^2 U_c).
+    Real inside(const ScalarField& u, const Array<Vec3>& x, Index i);
+
+    /// Flow rate through the whole plane, inside and outside.
+    Real total(const ScalarField& u, Index i) const;
+
+private:
+    void add_span(View<const Real> u, Index i, Real y, Real z_begin, Real z_end);
+
+    static constexpr Index sub_rows = 8;
+    Grid grid_;
+    CrossSection section_;
+    std::vector<Real> covered_, integral_; ///< per cell of the present row
+};
+
+/// Trilinear interpolation of a field at a point at least half a cell inside the box.
+Real interpolate_at(const Grid& g, Location where, const ScalarField& field, const Vec3& p);
+
+} // namespace starling

@@ -1,0 +1,152 @@
+#include "simulation/simulation.hpp"
+
+#include "core/error.hpp"
+
+#include "solver/advance.hpp"
+#include "solver/monitor.hpp"
+
+namespace starling {
+
+namespace {
+
+Tube make_tube(const Case& c, const Grid& g)
+{
+    return make_tube(c.tube, c.tube.edge_over_spacing * g.delta());
+}
+
+constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
+
+} // namespace
+
+struct Simulation::Impl {
+    Case description;
+    Grid grid;
+    Tube tube;
+    Operators op;
+    Workspace workspace;
+    State state;
+    Monitor monitor;
+    std::vector<TimeStepLimit> limits;
+
+    explicit Impl(const Case& c)
+        : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
+          op(grid, tube, make_material(c.material, c.fluid.reynolds), c.fluid, c.drive,
+             c.coupling.scheme),
+          workspace(grid, tube), state(grid, tube),
+          monitor(grid, tube, op.elastic, c.fluid.reynolds)
+    {
+        initialise(state, op);
+        choose_step(std::abs(c.pressure_ratio()));
+    }
+
+    /// The fixed step, or the automatic one: it follows its limits down at once and up in jumps
+    /// of a quarter, so that it seldom changes.
+    void choose_step(Real u_max)
+    {
+        limits = time_step_limits(description, grid.delta(), u_max);
+        const Real allowed = smallest(limits).dt;
+        if (description.time.step)
+            state.dt = *description.time.step;
+        else if (state.dt == 0 || allowed < state.dt || allowed > 1.25 * state.dt)
+            state.dt = allowed;
+    }
+
+    void check_speed_and_step()
+    {
+        const SpeedCheck check = check_speed(grid, state.fluid.u, state.dt);
+        if (!std::isfinite(check.u_max))
+            throw NumericalError(state.step, state.t,
+                                 "the velocity is not finite" + first_bad_face(),
+                                 "a smaller time step (--set time.safety=0.5)");
+        choose_step(std::max(check.u_max, std::abs(description.pressure_ratio())));
+    }
+
+    std::string first_bad_face() const
+    {
+        for (Location c : components) {
+            const Box b = grid.unknowns(c);
+            for (Index i = b.begin[0]; i < b.end[0]; ++i)
+                for (Index j = b.begin[1]; j < b.end[1]; ++j)
+                    for (Index k = b.begin[2]; k < b.end[2]; ++k)
+                        if (!std::isfinite(state.fluid.u[c](i, j, k)))
+                            return " at " + describe(grid.position(c, i, j, k));
+        }
+        return "";
+    }
+
+    static std::string describe(const Vec3& p)
+    {
+        return "x = " + std::to_string(p.x) + ", y = " + std::to_string(p.y) +
+               ", z = " + std::to_string(p.z);
+    }
+
+    /// Where the wall has gone wrong, as a NumericalError.
+    [[noreturn]] void report_wall() const
+    {
+        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
+            const Vec3 &p = state.wall.x[v], h = grid.spacing(), low = grid.origin(),
+                       size = grid.lengths();
+            if (!std::isfinite(p.y) || !std::isfinite(p.z))
+                throw NumericalError(state.step, state.t,
+                                     "a wall vertex is not finite at " + describe(p),
+                                     "a smaller time step (--set time.safety=0.5)");
+            if (p.y < low.y + 2 * h.y || p.y > low.y + size.y - 2 * h.y || p.z < low.z + 2 * h.z ||
+                p.z > low.z + size.z - 2 * h.z)
+                throw NumericalError(state.step, state.t,
+                                     "the wall has reached the side of the box at " + describe(p),
+                                     "a wider box (grid.width_y, grid.width_z)");
+        }
+        throw NumericalError(state.step, state.t,
+                             "the wall moved by more than a grid spacing in one step",
+                             "a smaller time step (--set time.safety=0.5)");
+    }
+
+    void step()
+    {
+        if (!advance(state, op, workspace, state.dt)) report_wall();
+        if (state.step % steps_between_checks == 0) check_speed_and_step();
+    }
+};
+
+Simulation::Simulation(const Case& c) : impl_(std::make_unique<Impl>(c)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+
+void Simulation::step() { impl_->step(); }
+Real Simulation::time() const { return impl_->state.t; }
+Index Simulation::steps() const { return impl_->state.step; }
+Real Simulation::dt() const { return impl_->state.dt; }
+const TimeStepLimit& Simulation::limiting() const { return smallest(impl_->limits); }
+Index Simulation::cells() const { return impl_->grid.cell_count(); }
+Index Simulation::vertices() const { return impl_->tube.mesh.vertex_count(); }
+Index Simulation::elements() const { return impl_->tube.mesh.element_count(); }
+
+Sample Simulation::sample()
+{
+    const Sample s = impl_->monitor.sample(impl_->state);
+    if (!std::isfinite(s.Q_mid) || !std::isfinite(s.volume))
+        throw NumericalError(s.step, s.t, "the flow rate is not finite" + impl_->first_bad_face(),
+                             "a smaller time step (--set time.safety=0.5)");
+    return s;
+}
+
+std::vector<ProfileRow> Simulation::profile() const { return impl_->monitor.profile(impl_->state); }
+
+WallSnapshot Simulation::wall_snapshot() const
+{
+    impl_->op.elastic.compute(impl_->state.wall.x, impl_->workspace.f);
+    return impl_->monitor.wall(impl_->state, impl_->workspace.f);
+}
+
+FluidSnapshot Simulation::fluid_snapshot() const { return impl_->monitor.fluid(impl_->state); }
+
+std::vector<PhaseTime> Simulation::phase_times() const
+{
+    std::vector<PhaseTime> times;
+    const PhaseTimer& timer = impl_->workspace.timer;
+    for (std::size_t n = 0; n < timer.names().size(); ++n)
+        times.push_back({timer.names()[n], timer.seconds()[n]});
+    return times;
+}
+
+} // namespace starling

@@ -1,0 +1,33 @@
+#include "simulation/time_step.hpp"
+
+#include <algorithm>
+
+namespace starling {
+
+std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max)
+{
+    const Real Re = c.fluid.reynolds, theta = c.fluid.theta, safety = c.time.safety;
+    std::vector<TimeStepLimit> limits;
+    // Explicit elastic force against implicit viscosity: stable up to about 16 eps Delta
+    // (theta = 1) and 5 eps Delta (theta = 1/2) at low Re; half of that.
+    if (!c.tube.rigid)
+        limits.push_back(
+            {"membrane stiffness", safety * (theta > 0.75 ? 8 : 2.5) * c.material.eps * spacing});
+    // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
+    // u^2 dt < 2/Re, so the CFL number may rise to 0.5.
+    const Real u = std::max(u_max, 1e-12);
+    limits.push_back(
+        {"advection",
+         safety * std::max(0.2 * spacing / u, std::min(0.5 * spacing / u, 0.5 / (Re * u * u)))});
+    // Ghost-node values lag by a step: tried stable up to dt/(Re Delta^2) = 52.
+    limits.push_back({"ghost nodes", safety * 50 * Re * spacing * spacing});
+    return limits;
+}
+
+const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits)
+{
+    return *std::min_element(limits.begin(), limits.end(),
+                             [](const auto& a, const auto& b) { return a.dt < b.dt; });
+}
+
+} // namespace starling

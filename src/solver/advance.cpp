@@ -1,0 +1,38 @@
+#include "solver/advance.hpp"
+
+namespace starling {
+
+void initialise(State& s, Operators& op)
+{
+    op.projection.initialise_pressure(s.fluid);
+    op.geometry.update(s.wall.x);
+    op.coupling.initialise(s.wall, s.ghosts);
+}
+
+bool advance(State& s, Operators& op, Workspace& w, Real dt)
+{
+    w.timer.start();
+    // 1. What the wall does to the fluid
+    op.geometry.update(s.wall.x);      // n, areas
+    op.elastic.compute(s.wall.x, w.f); // f_e                 (3)-(5), (15), (17)
+    w.mark(Phase::wall_force);
+    if (!op.coupling.update(s.wall, s.ghosts)) return false; // GN, IE, BI, IP      sec. 2.6
+    w.mark(Phase::ghost_search);
+    op.coupling.spread(w.f, w.F); // F_x, F_y, F_z       (28), (35)
+    w.mark(Phase::spread);
+    // 2. Intermediate velocity
+    const PrescribedVelocity u_GN = op.coupling.no_slip(s.fluid.u); //                (32), (44)
+    op.momentum.predict(s.fluid, w.F, u_GN, dt);                    // u_hat               (36)
+    w.mark(Phase::momentum);
+    // 3. Pressure
+    op.projection.project(s.fluid, dt); // P, u                (37)-(39)
+    w.mark(Phase::pressure);
+    // 4. The wall follows
+    op.coupling.move(s.fluid.u, s.wall, dt); // u_w, x              (29), (30)
+    w.mark(Phase::wall_motion);
+    s.t += dt;
+    ++s.step;
+    return true;
+}
+
+} // namespace starling

@@ -1,0 +1,287 @@
+#include "solver/monitor.hpp"
+
+#include <limits>
+
+namespace starling {
+
+SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt)
+{
+    SpeedCheck check;
+    bool finite = true;
+    for (Location c : components) {
+        const View<const Real> f = u[c].view();
+        const Box b = g.unknowns(c);
+        Real largest = 0, sum = 0;
+#pragma omp parallel for schedule(static) reduction(max : largest) reduction(+ : sum)
+        for (Index i = b.begin[0]; i < b.end[0]; ++i)
+            for (Index j = b.begin[1]; j < b.end[1]; ++j)
+                for (Index k = b.begin[2]; k < b.end[2]; ++k) {
+                    largest = std::max(largest, std::abs(f(i, j, k)));
+                    sum += 0 * f(i, j, k); // NaN if any value is not finite
+                }
+        finite = finite && sum == 0;
+        const Vec3 h = g.spacing();
+        const Real spacing = c == Location::u ? h.x : c == Location::v ? h.y : h.z;
+        check.cfl = std::max(check.cfl, largest * dt / spacing);
+        check.u_max = std::max(check.u_max, largest);
+    }
+    if (!finite) check.cfl = check.u_max = std::numeric_limits<Real>::quiet_NaN();
+    return check;
+}
+
+Monitor::Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Real reynolds)
+    : grid_(g), tube_(&tube), elastic_(&elastic), inv_reynolds_(1 / reynolds), geometry_(tube.mesh),
+      section_flow_(g, tube)
+{
+}
+
+Monitor::Ring Monitor::ring_radius(const Array<Vec3>& x, Index ring) const
+{
+    Ring r{0, std::numeric_limits<Real>::max(), 0};
+    for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v) {
+        const Real radius = std::hypot(x[v].y, x[v].z);
+        r.mean += radius / tube_->ring_size;
+        r.min = std::min(r.min, radius);
+        r.max = std::max(r.max, radius);
+    }
+    return r;
+}
+
+// Distance between two vertices of a ring that face each other: the line between them leaves both
+// along their inner normals, to within about 18 degrees.
+Real Monitor::smallest_gap(const Array<Vec3>& x)
+{
+    constexpr Real aligned = 0.95;
+    Real gap = std::numeric_limits<Real>::max();
+    for (Index ring = 0; ring < tube_->rings(); ++ring)
+        for (VertexIndex a = tube_->first(ring); a < tube_->first(ring + 1); ++a)
+            for (VertexIndex b = a + 1; b < tube_->first(ring + 1); ++b) {
+                const Vec3 d = x[b] - x[a];
+                const Real distance = norm(d);
+                if (distance >= gap) continue;
+                if (dot(d, outward_normal(a)) < -aligned * distance &&
+                    dot(d, outward_normal(b)) > aligned * distance)
+                    gap = distance;
+            }
+    return gap;
+}
+
+Vec3 Monitor::outward_normal(VertexIndex v) const
+{
+    const Vec3 a = geometry_.vertex_area()[v];
+    return (1 / norm(a)) * a;
+}
+
+Real Monitor::kinetic_energy(const VectorField& u) const
+{
+    Real sum = 0;
+    for (Location c : components) {
+        const View<const Real> f = u[c].view();
+        const Box b = grid_.unknowns(c);
+        for (Index i = b.begin[0]; i < b.end[0]; ++i) {
+            Real plane = 0;
+            for (Index j = b.begin[1]; j < b.end[1]; ++j)
+                for (Index k = b.begin[2]; k < b.end[2]; ++k) plane += f(i, j, k) * f(i, j, k);
+            const bool end_face = c == Location::u && (i == 0 || i == grid_.nx());
+            sum += end_face ? plane / 2 : plane;
+        }
+    }
+    return sum * grid_.cell_volume() / 2;
+}
+
+/// dV/dt = sum over vertices of area vector . velocity.
+Real Monitor::volume_rate(const State& s)
+{
+    Real sum = 0;
+    for (VertexIndex v = tube_->moving_begin(); v < tube_->moving_end(); ++v)
+        sum += dot(geometry_.vertex_area()[v], s.wall.velocity[v]);
+    return sum;
+}
+
+Sample Monitor::sample(const State& s)
+{
+    const Array<Vec3>& x = s.wall.x;
+    geometry_.update(x);
+    Sample a;
+    a.t = s.t;
+    a.step = s.step;
+    a.dt = s.dt;
+    const ScalarField& u = s.fluid.u[Location::u];
+    a.Q_in = section_flow_.inside(u, x, 0);
+    a.Q_mid = section_flow_.inside(u, x, grid_.nx() / 2);
+    a.Q_out = section_flow_.inside(u, x, grid_.nx());
+    a.Q_exterior = section_flow_.total(u, grid_.nx() / 2) - a.Q_mid;
+    a.dV_dt = volume_rate(s);
+    a.leak = a.dV_dt - (a.Q_in - a.Q_out);
+    a.volume = enclosed_volume(*tube_, x);
+    a.R_min = std::numeric_limits<Real>::max();
+    for (Index ring = 0; ring < tube_->rings(); ++ring) {
+        const Ring r = ring_radius(x, ring);
+        a.R_min = std::min(a.R_min, r.min);
+        if (r.mean <= a.R_max) continue;
+        a.R_max = r.mean;
+        a.x_R_max = tube_->ring_x[static_cast<std::size_t>(ring)];
+    }
+    a.smallest_gap = smallest_gap(x);
+    a.kinetic_energy = kinetic_energy(s.fluid.u);
+    a.elastic_energy = elastic_->energy(x);
+    for (VertexIndex v = tube_->moving_begin(); v < tube_->moving_end(); ++v)
+        a.largest_displacement =
+            std::max(a.largest_displacement, norm(x[v] - tube_->X[static_cast<std::size_t>(v)]));
+    for (ElementIndex e = 0; e < tube_->mesh.element_count(); ++e)
+        a.max_strain = std::max(a.max_strain, elastic_->stretches(x, e)[0] - 1);
+    a.cfl = check_speed(grid_, s.fluid.u, s.dt).cfl;
+    return a;
+}
+
+// Beyond the smeared pressure jump of +-2 spacings.
+Real Monitor::transmural_pressure(const State& s, VertexIndex v) const
+{
+    const Vec3 reach = 2.5 * grid_.delta() * outward_normal(v);
+    const auto P = [&](const Vec3& p) {
+        return interpolate_at(grid_, Location::cell, s.fluid.P, p);
+    };
+    return P(s.wall.x[v] - reach) - P(s.wall.x[v] + reach);
+}
+
+/// Magnitude of mu d(u_tangential)/dn at the inner side, from probes 1.5 and 3 spacings inside.
+Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
+{
+    const Vec3 n = outward_normal(v), U = s.wall.velocity[v];
+    const Real step = 1.5 * grid_.delta();
+    const auto slip = [&](Real depth) {
+        const Vec3 p = s.wall.x[v] - depth * n;
+        const Vec3 u{interpolate_at(grid_, Location::u, s.fluid.u[Location::u], p),
+                     interpolate_at(grid_, Location::v, s.fluid.u[Location::v], p),
+                     interpolate_at(grid_, Location::w, s.fluid.u[Location::w], p)};
+        const Vec3 d = u - U;
+        return d - dot(d, n) * n;
+    };
+    return inv_reynolds_ * norm((1 / (2 * step)) * (4 * slip(step) - slip(2 * step)));
+}
+
+std::vector<ProfileRow> Monitor::profile(const State& s)
+{
+    const Array<Vec3>& x = s.wall.x;
+    geometry_.update(x);
+    std::vector<Real> Q; // on the face planes
+    for (Index i = 0; i <= grid_.nx(); ++i)
+        Q.push_back(section_flow_.inside(s.fluid.u[Location::u], x, i));
+
+    std::vector<ProfileRow> rows;
+    for (Index ring = 0; ring < tube_->rings(); ++ring) {
+        const Ring r = ring_radius(x, ring);
+        ProfileRow row;
+        row.x = tube_->ring_x[static_cast<std::size_t>(ring)];
+        row.R_mean = r.mean;
+        row.R_min = r.min;
+        row.R_max = r.max;
+        row.area = ring_area(*tube_, x, ring);
+        row.P_centre = interpolate_at(grid_, Location::cell, s.fluid.P, {row.x, 0, 0});
+        for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v)
+            row.P_transmural += transmural_pressure(s, v) / tube_->ring_size;
+        const Real i = row.x / grid_.spacing().x;
+        const auto below = std::min(static_cast<std::size_t>(i), Q.size() - 2);
+        const Real fraction = i - static_cast<Real>(below);
+        row.Q = (1 - fraction) * Q[below] + fraction * Q[below + 1];
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+namespace {
+
+/// An array of `count` values per location, filled by f(location, component).
+template <class F>
+NamedArray make_array(std::string name, Quantity quantity, int components, Index count, F f)
+{
+    NamedArray a{std::move(name), quantity, components, {}};
+    a.values.reserve(static_cast<std::size_t>(count * components));
+    for (Index n = 0; n < count; ++n)
+        for (int c = 0; c < components; ++c) a.values.push_back(static_cast<float>(f(n, c)));
+    return a;
+}
+
+Real component_of(const Vec3& a, int c) { return c == 0 ? a.x : c == 1 ? a.y : a.z; }
+
+} // namespace
+
+WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
+{
+    const Array<Vec3>& x = s.wall.x;
+    geometry_.update(x);
+    WallSnapshot a;
+    a.t = s.t;
+    a.step = s.step;
+    a.points.assign(x.begin(), x.end());
+    a.triangles = tube_->mesh.elements();
+
+    const Index vertices = x.size(), elements = tube_->mesh.element_count();
+
+    a.at_vertex.push_back(
+        make_array("displacement", Quantity::length, 3, vertices, [&](Index v, int c) {
+            return component_of(x[v] - tube_->X[static_cast<std::size_t>(v)], c);
+        }));
+    a.at_vertex.push_back(
+        make_array("velocity", Quantity::velocity, 3, vertices,
+                   [&](Index v, int c) { return component_of(s.wall.velocity[v], c); }));
+    a.at_vertex.push_back(
+        make_array("elastic_force", Quantity::force, 3, vertices,
+                   [&](Index v, int c) { return component_of(elastic_force[v], c); }));
+    a.at_vertex.push_back(
+        make_array("transmural_pressure", Quantity::pressure, 1, vertices, [&](Index v, int) {
+            return transmural_pressure(s, static_cast<VertexIndex>(v));
+        }));
+    a.at_vertex.push_back(
+        make_array("wall_shear_stress", Quantity::shear_stress, 1, vertices, [&](Index v, int) {
+            return wall_shear_stress(s, static_cast<VertexIndex>(v));
+        }));
+    const auto stretch = [&](Index e) {
+        return elastic_->stretches(x, static_cast<ElementIndex>(e));
+    };
+    const auto tension = [&](Index e) {
+        const auto [l1, l2] = stretch(e);
+        return std::visit([&](const auto& law) { return law.tensions(l1, l2); },
+                          elastic_->material());
+    };
+    a.at_element.push_back(make_array("lambda1", Quantity::none, 1, elements,
+                                      [&](Index e, int) { return stretch(e)[0]; }));
+    a.at_element.push_back(make_array("lambda2", Quantity::none, 1, elements,
+                                      [&](Index e, int) { return stretch(e)[1]; }));
+    a.at_element.push_back(make_array("tau1", Quantity::surface_tension, 1, elements,
+                                      [&](Index e, int) { return tension(e).tau1; }));
+    a.at_element.push_back(make_array("tau2", Quantity::surface_tension, 1, elements,
+                                      [&](Index e, int) { return tension(e).tau2; }));
+    return a;
+}
+
+FluidSnapshot Monitor::fluid(const State& s) const
+{
+    FluidSnapshot a;
+    a.t = s.t;
+    a.step = s.step;
+    a.cells = grid_.cells();
+    a.origin = grid_.origin();
+    a.spacing = grid_.spacing();
+    const auto u = s.fluid.u[Location::u].view(), v = s.fluid.u[Location::v].view(),
+               w = s.fluid.u[Location::w].view(), P = s.fluid.P.view();
+    const Index ny = grid_.ny(), nz = grid_.nz();
+    const auto at = [=](Index n) {
+        return std::array<Index, 3>{n / (ny * nz), n / nz % ny, n % nz};
+    };
+    a.at_cell.push_back(
+        make_array("velocity", Quantity::velocity, 3, grid_.cell_count(), [&](Index n, int c) {
+            const auto [i, j, k] = at(n);
+            return c == 0   ? (u(i, j, k) + u(i + 1, j, k)) / 2
+                   : c == 1 ? (v(i, j, k) + v(i, j + 1, k)) / 2
+                            : (w(i, j, k) + w(i, j, k + 1)) / 2;
+        }));
+    a.at_cell.push_back(
+        make_array("pressure", Quantity::pressure, 1, grid_.cell_count(), [&](Index n, int) {
+            const auto [i, j, k] = at(n);
+            return P(i, j, k);
+        }));
+    return a;
+}
+
+} // namespace starling

@@ -1,0 +1,48 @@
+#pragma once
+/// What a state says about itself: samples, profiles and snapshots. Numbers only, no files.
+#include "immersed_boundary/section_flow.hpp"
+#include "solver/monitor_data.hpp"
+#include "solver/operators.hpp"
+#include "solver/state.hpp"
+
+namespace starling {
+
+/// Largest speed component times dt over spacing, and the largest speed; NaN if a value is not
+/// finite.
+struct SpeedCheck {
+    Real cfl = 0;
+    Real u_max = 0;
+};
+SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt);
+
+/// Measures a state. Everything is summed in a fixed order, so results do not depend on threads.
+class Monitor {
+public:
+    Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Real reynolds);
+
+    Sample sample(const State& s);
+    std::vector<ProfileRow> profile(const State& s);
+    WallSnapshot wall(const State& s, const Array<Vec3>& elastic_force);
+    FluidSnapshot fluid(const State& s) const;
+
+private:
+    struct Ring {
+        Real mean = 0, min = 0, max = 0;
+    };
+    Ring ring_radius(const Array<Vec3>& x, Index ring) const;
+    Real smallest_gap(const Array<Vec3>& x);
+    Real kinetic_energy(const VectorField& u) const;
+    Real volume_rate(const State& s);
+    Real transmural_pressure(const State& s, VertexIndex v) const;
+    Real wall_shear_stress(const State& s, VertexIndex v) const;
+    Vec3 outward_normal(VertexIndex v) const;
+
+    Grid grid_;
+    const Tube* tube_;
+    const ElasticForce* elastic_;
+    Real inv_reynolds_;
+    Geometry geometry_;
+    SectionFlow section_flow_;
+};
+
+} // namespace starling

@@ -1,0 +1,50 @@
+#pragma once
+/// The operators of a step, built once, and the step's work space.
+#include "core/timer.hpp"
+#include "flow/momentum.hpp"
+#include "flow/projection.hpp"
+#include "immersed_boundary/coupling.hpp"
+#include "wall/elastic_force.hpp"
+
+namespace starling {
+
+/// Phases of a step that are timed, in order.
+enum class Phase : std::size_t {
+    wall_force,
+    ghost_search,
+    spread,
+    momentum,
+    pressure,
+    wall_motion
+};
+
+/// Holds references to `tube`, which must outlive it.
+struct Operators {
+    Geometry geometry;
+    ElasticForce elastic;
+    Coupling coupling;
+    Momentum momentum;
+    Projection projection;
+
+    Operators(const Grid& g, const Tube& tube, const Material& material,
+              const FluidParameters& fluid, const DriveParameters& drive, CouplingScheme scheme)
+        : geometry(tube.mesh), elastic(tube, material), coupling(g, tube, geometry, scheme),
+          momentum(g, fluid), projection(g, fluid, drive)
+    {
+    }
+    Operators(const Operators&) = delete;
+    Operators& operator=(const Operators&) = delete;
+};
+
+/// Memory a step uses and forgets.
+struct Workspace {
+    Array<Vec3> f; ///< force on each vertex
+    VectorField F; ///< force density at the faces, then right-hand side and increment
+    PhaseTimer timer{
+        {"wall force", "ghost search", "spread", "momentum", "pressure", "wall motion"}};
+
+    Workspace(const Grid& g, const Tube& tube) : f(static_cast<Index>(tube.X.size())), F(g) {}
+    void mark(Phase p) { timer.mark(static_cast<std::size_t>(p)); }
+};
+
+} // namespace starling
