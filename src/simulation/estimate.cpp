@@ -1,0 +1,92 @@
+#include "simulation/estimate.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/error.hpp"
+#include "grid/grid.hpp"
+#include "simulation/run.hpp"
+#include "simulation/steady.hpp"
+#include "theory/one_dimensional.hpp"
+#include "theory/poiseuille.hpp"
+#include "theory/wave_speed.hpp"
+
+namespace starling {
+
+namespace {
+
+constexpr Real bytes_per_cell = 150;
+constexpr Real bytes_per_vertex = 1000;
+constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
+
+/// Speed on the axis where it is largest: Poiseuille flow in the rigid ends.
+Real expected_speed(const Case& c)
+{
+    if (has_theory(c)) {
+        try {
+            const auto tube = solve_one_dimensional({c.tube, c.material, c.fluid, c.drive});
+            return std::abs(tube.Q) / poiseuille::baseline_flow_rate;
+        } catch (const NumericalError&) {
+        }
+    }
+    return std::abs(c.pressure_ratio());
+}
+
+void count_wall(RunEstimate& e, const Case& c, Real delta)
+{
+    const Real edge = c.tube.edge_over_spacing * delta;
+    const Real ring = std::max(Real{4}, 2 * std::round(pi / edge));
+    const Real rows = std::max(Real{1}, std::round(c.tube.length / (edge * std::sqrt(0.75))));
+    e.vertices = static_cast<Index>(ring * (rows + 1));
+    e.elements = static_cast<Index>(2 * ring * rows);
+}
+
+void choose_step(RunEstimate& e, const Case& c, Real delta)
+{
+    e.limits = time_step_limits(c, delta, expected_speed(c));
+    if (c.time.step)
+        e.binding = {"fixed by the case", *c.time.step};
+    else if (!e.limits.empty())
+        e.binding = smallest(e.limits);
+    e.dt = e.binding.dt;
+}
+
+Real expected_duration(const Case& c, Real dt)
+{
+    Real duration = std::numeric_limits<Real>::infinity();
+    if (c.stop.end_time) duration = *c.stop.end_time;
+    if (c.stop.steps) duration = std::min(duration, static_cast<Real>(*c.stop.steps) * dt);
+    if (c.stop.steady_tolerance)
+        duration = std::min(duration, expected_time_to_steady(c, *c.stop.steady_tolerance));
+    return duration;
+}
+
+} // namespace
+
+Real expected_time_to_steady(const Case& c, Real tolerance)
+{
+    return relaxation_time(c) * std::max(Real{1}, std::log(change_over_window / tolerance));
+}
+
+RunEstimate estimate_run(const Case& c)
+{
+    RunEstimate e;
+    const Grid grid = make_grid(c.grid, c.tube.length);
+    e.cells_xyz = grid.cells();
+    e.spacing = grid.spacing();
+    e.cells = grid.cell_count();
+    count_wall(e, c, grid.delta());
+    e.memory_bytes = static_cast<Index>(bytes_per_cell * static_cast<Real>(e.cells) +
+                                        bytes_per_vertex * static_cast<Real>(e.vertices));
+    e.wave_speed = c.tube.rigid ? std::numeric_limits<Real>::quiet_NaN()
+                                : wave_speed(c.material, c.fluid.reynolds);
+    choose_step(e, c, grid.delta());
+    e.relaxation_time = relaxation_time(c);
+    e.duration = expected_duration(c, e.dt);
+    e.steps = std::ceil(e.duration / e.dt);
+    e.seconds = e.steps * static_cast<Real>(e.cells) / assumed_cell_steps_per_second;
+    if (c.stop.wall_clock) e.seconds = std::min(e.seconds, *c.stop.wall_clock);
+    return e;
+}
+
+} // namespace starling

@@ -1,0 +1,37 @@
+#pragma once
+/// When a run counts as steady.
+#include <deque>
+
+#include "config/case.hpp"
+#include "solver/monitor_data.hpp"
+
+namespace starling {
+
+/// Time in which a deviation from the steady state falls by a factor e: 0.4 eps L^2 for a compliant
+/// tube (measured), Re/j_0^2 for a rigid one (slowest mode of start-up flow, j_0 = 2.405).
+Real relaxation_time(const Case& c);
+
+/// Time over which the criterion looks back: a quarter of the relaxation time of a compliant tube,
+/// 0.25 Re for a rigid one.
+Real steady_window(const Case& c);
+
+/// Watches samples over a sliding window of time. Steady means, with tolerance tol:
+/// |dV/dt| <= tol Q, and over the window Q_mid and the balance Q_in - Q_out - dV/dt varied by at
+/// most tol Q, and R_max by at most tol max(|R_max - 1|, 0.01). A slow wall alone is not enough:
+/// the flow balance settles later.
+class SteadyCriterion {
+public:
+    SteadyCriterion(Real tolerance, Real window) : tolerance_(tolerance), window_(window) {}
+
+    void add(const Sample& sample);
+    /// The worst of the terms over its bound: steady at 1 or less; infinite until the samples span
+    /// the window.
+    Real measure() const;
+    bool met() const { return measure() <= 1; }
+
+private:
+    Real tolerance_, window_;
+    std::deque<Sample> samples_; ///< those within the window and the last one before it
+};
+
+} // namespace starling

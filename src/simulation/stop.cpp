@@ -1,0 +1,67 @@
+#include "simulation/stop.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace starling {
+
+namespace {
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real decay_windows = 4;     ///< the decay rate is taken over this many windows
+constexpr Real part_of_a_step = 1e-6; ///< an end time missed by less counts as reached
+
+} // namespace
+
+StopCriteria::StopCriteria(const Case& c) : stop_(c.stop), window_(steady_window(c))
+{
+    if (stop_.steady_tolerance) steady_.emplace(*stop_.steady_tolerance, window_);
+}
+
+void StopCriteria::add(const Sample& sample)
+{
+    if (!steady_) return;
+    steady_->add(sample);
+    const Real measure = steady_->measure();
+    if (std::isfinite(measure)) decay_.push_back({sample.t, measure});
+    if (steady_->met()) reason_ = "steady";
+}
+
+void StopCriteria::check(const Moment& now)
+{
+    if (reason_) return;
+    if (stop_.end_time && now.t >= *stop_.end_time - part_of_a_step * now.dt)
+        reason_ = "end time";
+    else if (stop_.steps && now.steps >= *stop_.steps)
+        reason_ = "steps";
+    else if (stop_.wall_clock && now.wall_seconds >= *stop_.wall_clock)
+        reason_ = "wall clock";
+}
+
+void StopCriteria::interrupt()
+{
+    if (!reason_) reason_ = "interrupted";
+}
+
+Real StopCriteria::time_to_steady() const
+{
+    if (decay_.size() < 2) return unknown;
+    const Point& last = decay_.back();
+    auto first = decay_.rbegin();
+    while (first + 1 != decay_.rend() && first->t > last.t - decay_windows * window_) ++first;
+    const Real rate = std::log(first->measure / last.measure) / (last.t - first->t);
+    return rate > 0 ? std::max(std::log(last.measure), Real{0}) / rate : unknown;
+}
+
+double StopCriteria::seconds_left(const Moment& now) const
+{
+    // std::fmin passes over what is unknown.
+    const double seconds_per_step = now.wall_seconds / static_cast<double>(now.steps);
+    double time = time_to_steady(), seconds = unknown;
+    if (stop_.end_time) time = std::fmin(time, *stop_.end_time - now.t);
+    if (stop_.steps) seconds = static_cast<double>(*stop_.steps - now.steps) * seconds_per_step;
+    if (stop_.wall_clock) seconds = std::fmin(seconds, *stop_.wall_clock - now.wall_seconds);
+    return std::fmax(std::fmin(seconds, time / now.dt * seconds_per_step), 0);
+}
+
+} // namespace starling

@@ -1,0 +1,54 @@
+#pragma once
+/// When a run ends, and why.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "simulation/steady.hpp"
+
+namespace starling {
+
+/// How far a run has come.
+struct Moment {
+    Index steps;
+    Real t, dt;
+    double wall_seconds;
+};
+
+/// The stop criteria of a case; whichever is met first ends the run.
+class StopCriteria {
+public:
+    explicit StopCriteria(const Case& c);
+
+    /// Takes note of a sample, for the steady criterion.
+    void add(const Sample& sample);
+    /// Looks at the criteria after a step.
+    void check(const Moment& now);
+    /// Ends the run at the user's wish.
+    void interrupt();
+
+    /// Why the run ends: "steady", "end time", "steps", "wall clock" or "interrupted"; empty as
+    /// long as it goes on.
+    const std::optional<std::string>& reason() const { return reason_; }
+    /// The steady criterion has been met.
+    bool steady() const { return steady_ && steady_->met(); }
+    /// Estimate from the criteria and, for the steady one, from the decay seen so far; NaN where
+    /// nothing can be said.
+    double seconds_left(const Moment& now) const;
+
+private:
+    /// Time left until the steady criterion is met if its measure goes on to fall as it did.
+    Real time_to_steady() const;
+
+    struct Point {
+        Real t, measure;
+    };
+
+    StopParameters stop_;
+    std::optional<SteadyCriterion> steady_;
+    Real window_;
+    std::vector<Point> decay_; ///< finite measures of the steady criterion so far
+    std::optional<std::string> reason_;
+};
+
+} // namespace starling
