@@ -1,0 +1,121 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "config/nearest_name.hpp"
+#include "core/error.hpp"
+#include "output/version.hpp"
+
+namespace starling::app {
+
+namespace {
+
+constexpr int most_threads = 1024;
+
+void add_case(CLI::App& command, CommandLine& line)
+{
+    command.add_option("case", line.case_file, "Case file (docs/case_file.md)")
+        ->option_text("CASE.toml")
+        ->required();
+    command
+        .add_option("--set", line.overrides,
+                    "Use VALUE instead of what the case file says; may be repeated")
+        ->option_text("SECTION.KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void add_run(CLI::App& app, CommandLine& line)
+{
+    CLI::App* run = app.add_subcommand("run", "Run a case and write results to a directory");
+    add_case(*run, line);
+    run->add_option("--out", line.directory, "Directory for the results (docs/results.md)")
+        ->option_text("DIR")
+        ->required();
+    run->add_option("--threads", line.threads, "Number of threads [all]")
+        ->option_text("N")
+        ->check(CLI::Range(1, most_threads));
+    run->add_flag("--force", line.force, "Replace the results of an earlier run in DIR");
+    run->add_flag("--quiet", line.quiet, "Print errors only");
+    run->footer("Ctrl-C finishes the step, writes everything and ends with exit code 0.");
+}
+
+void add_others(CLI::App& app, CommandLine& line)
+{
+    CLI::App* check = app.add_subcommand(
+        "check", "Validate a case and print its numbers, limits and cost; runs nothing");
+    add_case(*check, line);
+    CLI::App* theory =
+        app.add_subcommand("theory", "Print what theory predicts for a case: R(x), P(x), Q");
+    add_case(*theory, line);
+    theory->add_flag("--csv", line.csv, "Print the whole profile as CSV instead");
+    CLI::App* cases = app.add_subcommand("cases", "List the shipped cases, or print one");
+    cases->add_option("name", line.name, "Case to print")->option_text("NAME");
+    CLI::App* plot = app.add_subcommand("plot", "Draw the results of a run as PNG pictures");
+    plot->add_option("directory", line.directory, "Directory that a run has written")
+        ->option_text("DIR")
+        ->required();
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* s : app.get_subcommands({})) names.push_back(s->get_name());
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* o : app.get_options())
+        if (!o->get_positional()) names.push_back("--" + o->get_lnames().front());
+    return names;
+}
+
+std::string with_suggestion(const std::string& what, const std::string& wrong,
+                            const std::vector<std::string>& names)
+{
+    return what + " " + starling::quoted(wrong) + ": " +
+           suggestion(wrong, {names.begin(), names.end()});
+}
+
+/// What is wrong, in words that help; arguments nobody expected come first, because a misspelt
+/// option also makes a required one look missing.
+std::string describe(const CLI::App& app, const CLI::ParseError& error)
+{
+    const auto chosen = app.get_subcommands();
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::string help =
+        "\n  see starling " + (chosen.empty() ? "" : command.get_name() + " ") + "--help";
+    const auto unexpected = app.remaining(true);
+    if (unexpected.empty()) return error.what() + help;
+    const std::string& first = unexpected.front();
+    if (first.starts_with("-"))
+        return with_suggestion("unknown option", first, option_names(command)) + help;
+    if (chosen.empty())
+        return with_suggestion("unknown command", first, subcommand_names(app)) + help;
+    return "unexpected argument " + starling::quoted(first) + help;
+}
+
+} // namespace
+
+CommandLine parse(int argc, char** argv)
+{
+    CommandLine line;
+    CLI::App app("Flow through thin-walled compliant tubes (immersed boundary)", "starling");
+    app.set_version_flag("--version", "starling " + version());
+    app.require_subcommand(1);
+    add_run(app, line);
+    add_others(app, line);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answered) { // --help, --version
+        app.exit(answered);
+        throw Done{};
+    } catch (const CLI::ParseError& error) {
+        throw InputError(describe(app, error));
+    }
+    line.command = app.get_subcommands().front()->get_name();
+    return line;
+}
+
+} // namespace starling::app

@@ -1,0 +1,27 @@
+#pragma once
+/// What the user asked for.
+#include <string>
+#include <vector>
+
+namespace starling::app {
+
+/// The arguments of all subcommands; each uses some.
+struct CommandLine {
+    std::string command;                ///< name of the subcommand
+    std::string case_file;              ///< run, check, theory
+    std::vector<std::string> overrides; ///< "section.key=value"
+    std::string directory;              ///< run --out, plot
+    std::string name;                   ///< cases NAME; may be empty
+    int threads = 0;                    ///< 0: as many as OpenMP offers
+    bool force = false;
+    bool quiet = false;
+    bool csv = false; ///< theory --csv
+};
+
+/// Thrown after --help or --version has been answered.
+struct Done {};
+
+/// Throws InputError for wrong usage, with the nearest valid name, and Done.
+CommandLine parse(int argc, char** argv);
+
+} // namespace starling::app

@@ -1,0 +1,106 @@
+#include "console.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "environment.hpp"
+
+namespace starling::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* clear_to_end_of_line = "\x1b[K";
+
+/// Columns of the terminal, less one so that no line wraps.
+std::size_t terminal_width()
+{
+    winsize size{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col < 20) return 79;
+    return size.ws_col - 1u;
+}
+
+} // namespace
+
+bool QuietObserver::stop_requested() { return stop_signal_seen(); }
+
+ConsoleObserver::ConsoleObserver()
+    : terminal_(isatty(STDOUT_FILENO) != 0),
+      pause_(terminal_ ? Clock::duration(200ms) : Clock::duration(10s)),
+      next_(Clock::now() + pause_)
+{
+}
+
+void ConsoleObserver::started(const RunStart& start)
+{
+    const Case& c = start.description;
+    scaling_ = c.scaling;
+    fixed_step_ = c.time.step.has_value();
+    fmt::print("{}: {} cells, {} vertices, {} triangles; numbers in {}\n",
+               c.title.empty() ? "run" : c.title, start.simulation.cells(),
+               start.simulation.vertices(), start.simulation.elements(),
+               scaling_.si ? "SI units" : "units of R_0, U_c and rho");
+    std::fflush(stdout);
+}
+
+void ConsoleObserver::stepped(const Progress& progress)
+{
+    const auto now = Clock::now();
+    if (now < next_) return;
+    next_ = now + pause_;
+    std::string line =
+        progress_line(progress, fixed_step_ ? "fixed" : progress.limiting.name, scaling_);
+    if (terminal_) {
+        line.resize(std::min(line.size(), terminal_width()));
+        fmt::print("\r{}{}", line, clear_to_end_of_line);
+        live_ = true;
+    } else {
+        fmt::print("{}\n", line);
+    }
+    std::fflush(stdout);
+}
+
+bool ConsoleObserver::stop_requested()
+{
+    if (!stop_signal_seen()) return false;
+    if (!stopping_) {
+        finished();
+        fmt::print("stopping: writing results\n");
+        std::fflush(stdout);
+    }
+    return stopping_ = true;
+}
+
+void ConsoleObserver::finished()
+{
+    if (live_) fmt::print("\n");
+    live_ = false;
+}
+
+std::string progress_line(const Progress& p, const std::string& limit, const Scaling& scaling)
+{
+    const Sample& s = p.last;
+    const Real time = scaling.factor(Quantity::time), flow = scaling.factor(Quantity::flow_rate);
+    const Real leak = s.Q_mid == 0 ? 0 : 100 * s.leak / s.Q_mid;
+    return fmt::format("step {}  t {:.4g}  dt {:.3g} ({})  CFL {:.2f}  Q {:.4g} > {:.4g}  "
+                       "leak {:.2f} %  displacement {:.3g}  {:.1f} steps/s  {} left",
+                       p.step, p.t * time, p.dt * time, limit, s.cfl, s.Q_in * flow, s.Q_out * flow,
+                       leak, s.largest_displacement * scaling.factor(Quantity::length),
+                       p.steps_per_second, duration_text(p.seconds_left));
+}
+
+std::string duration_text(double seconds)
+{
+    if (!std::isfinite(seconds)) return "?";
+    const auto whole = static_cast<long long>(std::llround(seconds));
+    if (whole < 60) return fmt::format("{} s", whole);
+    if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+    return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+} // namespace starling::app
