@@ -1,0 +1,311 @@
+#!/usr/bin/python3
+"""Draws the results of a Starling run: profiles.png, history.png, tube.png and flow.png.
+
+usage: plot_run.py DIR
+
+Needs Debian's python3-matplotlib, python3-numpy and python3-h5py. Called by `starling plot DIR`.
+"""
+import csv
+import json
+import os
+import re
+import sys
+
+try:
+    import h5py
+    import matplotlib
+    import numpy as np
+except ImportError as error:
+    sys.exit(f"starling plot: {error}; install python3-matplotlib, python3-numpy and python3-h5py")
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from matplotlib import cm, colors  # noqa: E402
+from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
+
+BLUE, RED, GREEN, GREY = "#1f5fa8", "#c8452c", "#2c8a5b", "#8a8f98"
+STYLE = {
+    "figure.dpi": 160, "savefig.dpi": 160, "figure.constrained_layout.use": True,
+    "font.size": 10, "axes.titlesize": 11, "axes.labelsize": 10, "legend.fontsize": 9,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True,
+    "grid.color": "#e4e6ea", "grid.linewidth": 0.7, "axes.edgecolor": "#5a5f68",
+    "axes.axisbelow": True, "lines.linewidth": 1.8, "legend.frameon": False,
+    "mathtext.fontset": "dejavusans",
+}
+
+
+class Table:
+    """A CSV file of Starling: columns by name, their units beside them."""
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8") as stream:
+            rows = list(csv.reader(stream))
+        titles = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", title).groups() for title in rows[0]]
+        self.units = {name: unit or "" for name, unit in titles}
+        # A run that was killed may leave a last line that is not whole.
+        whole = [row for row in rows[1:] if len(row) == len(titles)]
+        values = np.array(whole, dtype=float).reshape(len(whole), len(titles))
+        self.columns = {name: values[:, n] for n, (name, _) in enumerate(titles)}
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def label(self, words, name):
+        return f"{words} [{pretty(self.units[name])}]"
+
+
+def pretty(unit):
+    """A unit of a header for a picture: R_0^2 U_c -> R with index and exponent."""
+    factors = re.sub(r"([A-Za-z]+)_([0-9a-z])(?:\^(\d))?", r"$\\mathit{\1}_{\2}^{\3}$", unit)
+    factors = re.sub(r"([A-Za-z]+)\^(\d)", r"$\\mathrm{\1}^{\2}$", factors)
+    return factors.replace("^{}", "").replace("rho", "ρ")
+
+
+def read(directory, name):
+    path = os.path.join(directory, name)
+    return Table(path) if os.path.exists(path) else None
+
+
+def length_unit(series):
+    return pretty(series.units["R_max"])
+
+
+def save(figure, directory, name):
+    path = os.path.join(directory, name)
+    figure.savefig(path)
+    plt.close(figure)
+    print(path)
+
+
+def plot_profiles(directory, profile, theory):
+    """R(x) and P(x) of the run's end against theory."""
+    figure, (top, bottom) = plt.subplots(2, 1, figsize=(7.2, 6.4), sharex=True)
+    x = profile["x"]
+    top.fill_between(x, profile["R_min"], profile["R_max"], color=BLUE, alpha=0.15, lw=0,
+                     label="smallest to largest")
+    top.plot(x, profile["R_mean"], color=BLUE, label="Starling")
+    bottom.plot(x, profile["P_centre"], color=BLUE, label="Starling, on the axis")
+    if theory is not None:
+        top.plot(theory["x"], theory["R"], color=RED, ls=(0, (5, 2)), label="one-dimensional model")
+        bottom.plot(theory["x"], theory["P"], color=RED, ls=(0, (5, 2)),
+                    label="one-dimensional model")
+        if np.isfinite(theory["R_second_order"]).any():
+            top.plot(theory["x"], theory["R_second_order"], color=GREY, lw=1.2, ls=":",
+                     label="law of Laplace, second order")
+    top.set_ylabel(profile.label("radius", "R_mean"))
+    bottom.set_ylabel(profile.label("pressure", "P_centre"))
+    bottom.set_xlabel(profile.label("position along the tube", "x"))
+    top.set_title("The tube at the end of the run", loc="left")
+    for axes in (top, bottom):
+        axes.legend()
+        axes.margins(x=0)
+    save(figure, directory, "profiles.png")
+
+
+def plot_history(directory, series, summary):
+    """Q(t), R_max(t) and the leak."""
+    figure, (flow, radius, leak) = plt.subplots(
+        3, 1, figsize=(7.2, 7.6), sharex=True, height_ratios=(3, 3, 2))
+    t = series["t"]
+    theory = summary.get("theory") or {}
+    for name, words, color in (("Q_in", "inlet", RED), ("Q_mid", "middle", BLUE),
+                               ("Q_out", "outlet", GREEN)):
+        flow.plot(t, series[name], color=color, label=words)
+    radius.plot(t, series["R_max"], color=BLUE, label="Starling")
+    if "Q_1d" in theory:
+        flow.axhline(theory["Q_1d"], color=GREY, lw=1.2, ls=(0, (5, 2)),
+                     label="one-dimensional model")
+        radius.axhline(theory["R_max_1d"], color=GREY, lw=1.2, ls=(0, (5, 2)),
+                       label="one-dimensional model")
+    scale = np.where(series["Q_mid"] == 0, np.nan, series["Q_mid"])
+    leak.plot(t, 100 * series["leak"] / scale, color=BLUE)
+    late = np.abs(100 * series["leak"] / scale)[len(t) // 4:]
+    if np.isfinite(late).any():  # the start-up, with hardly any flow yet, would hide the rest
+        bound = max(1.0, 1.5 * np.nanmax(late))
+        leak.set_ylim(-bound, bound)
+    limit_to_bulk(flow, np.concatenate([series[n] for n in ("Q_in", "Q_mid", "Q_out")]),
+                  theory.get("Q_1d"))
+    flow.set_ylabel(series.label("flow rate", "Q_in"))
+    radius.set_ylabel(series.label("largest radius", "R_max"))
+    leak.set_ylabel("leak [% of the flow]")
+    leak.set_xlabel(series.label("time", "t"))
+    flow.set_title("From rest to " + ("the steady state" if summary.get("converged") else
+                                      "the end of the run"), loc="left")
+    flow.legend(ncol=2)
+    radius.legend()
+    for axes in (flow, radius, leak):
+        axes.margins(x=0)
+    save(figure, directory, "history.png")
+
+
+def limit_to_bulk(axes, values, reference):
+    """Keeps a short start-up peak from flattening the rest of the curve."""
+    values = values[np.isfinite(values)]
+    if values.size < 20:
+        return
+    low, high = np.percentile(values, [1, 97])
+    high = max(high, reference or high)
+    margin = 0.12 * (high - low) + 1e-30
+    axes.set_ylim(low - margin, high + margin)
+
+
+def last_frame(file):
+    return file["frames"][sorted(file["frames"])[-1]]
+
+
+def unit_of(dataset):
+    unit = dataset.attrs.get("unit", "")
+    return pretty(unit.decode() if isinstance(unit, bytes) else str(unit))
+
+
+def face_values(frame, name, triangles):
+    """Values per triangle of an array on vertices or triangles."""
+    values = frame[name][...].astype(float)
+    if values.ndim == 2:
+        values = np.linalg.norm(values, axis=1)
+    return values if len(values) == len(triangles) else values[triangles].mean(axis=1)
+
+
+def pick_colouring(frame):
+    """The array that tells most about the wall, and its words."""
+    for name, words in (("transmural_pressure", "transmural pressure"),
+                        ("displacement", "displacement")):
+        if name in frame:
+            return name, words
+    return None, None
+
+
+def view_axes(azimuth, elevation):
+    """Right, up and towards-the-viewer directions of an orthographic view, angles in degrees."""
+    a, e = np.radians([azimuth, elevation])
+    toward = np.array([np.sin(a) * np.cos(e), -np.cos(a) * np.cos(e), np.sin(e)])
+    right = np.cross([0, 0, 1], toward)
+    right /= np.linalg.norm(right)
+    return right, np.cross(toward, right), toward
+
+
+def shade(corners, tint, lamp, toward):
+    """Triangle colours `tint` darkened by the angle of their visible side to a lamp."""
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True) + 1e-300
+    normal *= np.where(normal @ toward < 0, -1, 1)[:, None]
+    facing = np.clip(normal @ (lamp / np.linalg.norm(lamp)), 0, 1)
+    shaded = tint.copy()
+    shaded[:, :3] *= (0.45 + 0.55 * facing)[:, None]
+    shaded[:, :3] += (0.25 * facing ** 24)[:, None] * (1 - shaded[:, :3])
+    return shaded
+
+
+def draw_surface(axes, points, triangles, tint):
+    """The triangles as seen from the side and a little from above, farthest first."""
+    right, up, toward = view_axes(azimuth=-24, elevation=20)
+    corners = points[triangles]
+    order = np.argsort((corners @ toward).mean(axis=1))
+    face = shade(corners, tint, toward - 0.4 * right + 0.8 * up, toward)[order]
+    flat = np.stack([corners @ right, corners @ up], axis=-1)[order]
+    axes.add_collection(PolyCollection(flat, facecolors=face, edgecolors=face, linewidths=0.25))
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.set_axis_off()
+
+
+def plot_tube(directory, unit):
+    """The wall at the end, shaded and coloured."""
+    path = os.path.join(directory, "wall.h5")
+    if not os.path.exists(path):
+        return
+    with h5py.File(path, "r", locking=False) as file:
+        frame = last_frame(file)
+        points, triangles = frame["points"][...].astype(float), file["triangles"][...]
+        name, words = pick_colouring(frame)
+        if name is None or len(triangles) == 0:
+            return
+        values, value_unit = face_values(frame, name, triangles), unit_of(frame[name])
+    low, high = np.percentile(values, [0.5, 99.5])
+    norm = colors.Normalize(low, high if high > low else low + 1)
+    figure, axes = plt.subplots(figsize=(9, 3.9))
+    draw_surface(axes, points, triangles, matplotlib.colormaps["viridis"](norm(values)))
+    bar = figure.colorbar(cm.ScalarMappable(norm, "viridis"), ax=axes, shrink=0.8, pad=0.01,
+                          aspect=18)
+    bar.set_label(f"{words} [{value_unit}]")
+    bar.outline.set_visible(False)
+    axes.set_title(f"The wall at the end of the run; length {np.ptp(points[:, 0]):.4g} {unit}",
+                   loc="left")
+    save(figure, directory, "tube.png")
+
+
+def wall_section(directory):
+    """Where the wall's triangles cut the plane z = 0: segments in (x, y)."""
+    with h5py.File(os.path.join(directory, "wall.h5"), "r", locking=False) as file:
+        points = last_frame(file)["points"][...].astype(float)
+        corners = points[file["triangles"][...]]
+    z = corners[:, :, 2] + 1e-9 * np.ptp(corners[:, :, 2])  # no vertex exactly in the plane
+    crossing = []
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        span = z[:, a] - z[:, b]
+        part = z[:, a] / np.where(span == 0, 1, span)
+        cut = corners[:, a, :2] + part[:, None] * (corners[:, b, :2] - corners[:, a, :2])
+        crossing.append(np.where((z[:, a] * z[:, b] < 0)[:, None], cut, np.nan))
+    crossing = np.stack(crossing, axis=1)
+    hit = np.isfinite(crossing[:, :, 0])
+    return [c[h] for c, h in zip(crossing, hit) if h.sum() == 2]
+
+
+def cell_box(directory):
+    """Origin and spacing (x, y, z) of the fluid grid from the XDMF file."""
+    with open(os.path.join(directory, "fluid.xdmf"), encoding="utf-8") as stream:
+        text = stream.read()
+    found = re.findall(r'Format="XML">([^<]*)<', text)
+    return [np.array(item.split(), dtype=float)[::-1] for item in found[-2:]]
+
+
+def plot_flow(directory, unit):
+    """Axial velocity in the plane through the axis, with the wall's outline."""
+    if not all(os.path.exists(os.path.join(directory, name))
+               for name in ("wall.h5", "fluid.h5", "fluid.xdmf")):
+        return
+    with h5py.File(os.path.join(directory, "fluid.h5"), "r", locking=False) as file:
+        velocity = last_frame(file)["velocity"]
+        speed_unit = unit_of(velocity)
+        origin, spacing = cell_box(directory)
+        middle = int(np.clip(-origin[2] / spacing[2], 1, velocity.shape[0] - 1))
+        u = velocity[middle - 1:middle + 1, :, :, 0].mean(axis=0).astype(float)
+    ends = origin[:2] + spacing[:2] * np.array(u.shape)[::-1]
+    figure, axes = plt.subplots(figsize=(9, 3.6))
+    high = np.percentile(np.abs(u), 99.8) or 1
+    picture = axes.imshow(u, origin="lower", extent=(origin[0], ends[0], origin[1], ends[1]),
+                          interpolation="bilinear", cmap="RdBu_r", vmin=-high, vmax=high)
+    axes.add_collection(LineCollection(wall_section(directory), colors="#20242b", linewidths=1.6,
+                                       capstyle="round"))
+    axes.set(aspect="equal", xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]")
+    axes.grid(False)
+    axes.set_title("Axial velocity in the plane of the axis; black: the wall", loc="left")
+    bar = figure.colorbar(picture, ax=axes, shrink=0.8, pad=0.02)
+    bar.set_label(f"$u$ [{speed_unit}]")
+    bar.outline.set_visible(False)
+    save(figure, directory, "flow.png")
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    directory = sys.argv[1]
+    series, profile = read(directory, "series.csv"), read(directory, "profile.csv")
+    if series is None:
+        sys.exit(f"starling plot: {directory} holds no series.csv")
+    summary = {}
+    if os.path.exists(os.path.join(directory, "summary.json")):
+        with open(os.path.join(directory, "summary.json"), encoding="utf-8") as stream:
+            summary = json.load(stream)
+    with plt.rc_context(STYLE):
+        plot_history(directory, series, summary)
+        if profile is not None:
+            plot_profiles(directory, profile, read(directory, "theory.csv"))
+        else:
+            print("no profile.csv: the run has not ended; profiles.png left out")
+        plot_tube(directory, length_unit(series))
+        plot_flow(directory, length_unit(series))
+
+
+if __name__ == "__main__":
+    main()
