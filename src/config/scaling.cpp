@@ -19,6 +19,8 @@ Real Scaling::factor(Quantity q) const
     case Quantity::surface_tension: return p * l;
     case Quantity::shear_stress: return p;
     case Quantity::rate: return u / l;
+    case Quantity::density: return density;
+    case Quantity::viscosity: return density * u * l;
     }
     return 1;
 }
@@ -39,6 +41,8 @@ std::string Scaling::unit(Quantity q) const
     case Quantity::energy: return si ? "J" : "rho U_c^2 R_0^3";
     case Quantity::surface_tension: return si ? "N/m" : "rho U_c^2 R_0";
     case Quantity::rate: return si ? "1/s" : "U_c/R_0";
+    case Quantity::density: return si ? "kg/m^3" : "rho";
+    case Quantity::viscosity: return si ? "Pa s" : "rho U_c R_0";
     }
     return "";
 }

@@ -8,8 +8,21 @@ namespace starling {
 
 /// What a number measures; decides its unit and its scale.
 enum class Quantity {
-    none, length, area, volume, time, velocity, flow_rate, pressure, force, energy,
-    surface_tension, shear_stress, rate ///< rate: 1/time
+    none,
+    length,
+    area,
+    volume,
+    time,
+    velocity,
+    flow_rate,
+    pressure,
+    force,
+    energy,
+    surface_tension,
+    shear_stress,
+    rate, ///< rate: 1/time
+    density,
+    viscosity
 };
 
 /// Scales in SI; all 1 for dimensionless cases. Solver value times `factor` = value to print.
