@@ -19,7 +19,7 @@ struct TimeParameters {
     Real safety = 1;          ///< factor on the automatic step, in (0, 2]
 };
 
-/// When to stop; whichever comes first. At least one of end_time, steps, steady_tolerance is set.
+/// When to stop; whichever comes first. At least one is set.
 struct StopParameters {
     std::optional<Real> end_time;
     std::optional<Index> steps;
@@ -29,12 +29,12 @@ struct StopParameters {
 
 /// What is written and how often.
 struct OutputParameters {
-    Index sample_every = 10;             ///< steps between rows of series.csv
-    std::optional<Real> wall_every;      ///< time between wall frames; empty: first and last only
-    std::optional<Real> fluid_every;     ///< time between fluid frames; empty: last only
+    Index sample_every = 10;         ///< steps between rows of series.csv
+    std::optional<Real> wall_every;  ///< time between wall frames; empty: first and last only
+    std::optional<Real> fluid_every; ///< time between fluid frames; empty: last only
     bool wall = true;
     bool fluid = true;
-    bool double_precision = false;       ///< 64-bit fields instead of 32-bit
+    bool double_precision = false; ///< 64-bit fields instead of 32-bit
 };
 
 /// Everything a run needs. `scaling` converts results to the units the user wrote.

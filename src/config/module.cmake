@@ -1,1 +1,30 @@
-starling_module(config SOURCES scaling.cpp DEPENDS starling_core)
+starling_module(config
+  SOURCES
+    case_keys.cpp
+    case_values.cpp
+    document.cpp
+    nearest_name.cpp
+    quantities.cpp
+    read_case.cpp
+    read_scaling.cpp
+    read_wall.cpp
+    scaling.cpp
+    shipped_cases.cpp
+    units.cpp
+    validate.cpp
+    value_check.cpp
+    write_case.cpp
+  DEPENDS starling_core)
+target_link_libraries(starling_config PRIVATE fmt::fmt tomlplusplus::tomlplusplus)
+
+# The shipped cases travel inside the program, so that `starling cases NAME` works anywhere.
+set(shipped_case_entries "")
+foreach(name inflation inflation_neo_hookean rigid_tube microchannel_si)
+  set(file ${PROJECT_SOURCE_DIR}/cases/${name}.toml)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(READ ${file} text)
+  string(APPEND shipped_case_entries "    {\"${name}\", R\"toml(${text})toml\"},\n")
+endforeach()
+configure_file(config/shipped_case_texts.hpp.in
+  ${CMAKE_CURRENT_BINARY_DIR}/include/config/shipped_case_texts.hpp @ONLY)
+target_include_directories(starling_config PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/include)

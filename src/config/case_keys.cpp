@@ -1,0 +1,259 @@
+#include "config/case_keys.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace starling {
+
+namespace {
+
+constexpr auto plain = UnitSystem::dimensionless;
+constexpr auto si = UnitSystem::si;
+constexpr auto none = Quantity::none;
+constexpr auto length = Quantity::length;
+constexpr auto pressure = Quantity::pressure;
+
+Range closed(Real min, Real max) { return {min, max}; }
+Range positive() { return {.min = 0, .open_min = true}; }
+Range positive_to(Real max) { return {.min = 0, .max = max, .open_min = true}; }
+
+std::vector<KeyRule> flow_keys()
+{
+    using enum Kind;
+    const std::vector<std::string_view> systems = {"dimensionless", "si"};
+    const Range any_pressure = closed(-1e12, 1e12);
+    return {
+        {"", "title", text, "a line that names the run"},
+        {"", "units", choice, "unit system of the file", none, {}, systems},
+
+        {"fluid",
+         "reynolds",
+         number,
+         "Reynolds number rho U_c R_0/mu",
+         none,
+         closed(1e-6, 1e4),
+         {},
+         plain,
+         "give density and viscosity"},
+        {"fluid",
+         "density",
+         measure,
+         "density of the fluid",
+         Quantity::density,
+         positive(),
+         {},
+         si,
+         "give reynolds"},
+        {"fluid",
+         "viscosity",
+         measure,
+         "viscosity of the fluid",
+         Quantity::viscosity,
+         positive(),
+         {},
+         si,
+         "give reynolds"},
+        {"fluid", "theta", number, "weight of the new time level in diffusion", none,
+         closed(0.5, 1)},
+
+        {"drive",
+         "pressure_ratio",
+         number,
+         "applied pressure drop over 4 L/Re",
+         none,
+         closed(-1000, 1000),
+         {},
+         plain,
+         "give pressure_inlet"},
+        {"drive", "pressure_inlet", measure, "pressure at the inlet", pressure, any_pressure},
+        {"drive", "pressure_outlet", measure, "pressure at the outlet", pressure, any_pressure},
+        {"drive", "pressure_external", measure, "pressure outside the tube", pressure,
+         any_pressure},
+        {"drive",
+         "velocity_scale",
+         measure,
+         "velocity scale U_c",
+         Quantity::velocity,
+         positive(),
+         {},
+         si,
+         "velocities are in units of U_c already: leave it out"},
+    };
+}
+
+std::vector<KeyRule> wall_keys()
+{
+    using enum Kind;
+    const std::vector<std::string_view> laws = {"hooke", "neo-hookean", "mooney-rivlin", "skalak"};
+    const Range at_most_one = {.min = 0, .max = 1, .open_max = true};
+    return {
+        {"vessel",
+         "radius",
+         measure,
+         "undeformed radius R_0",
+         length,
+         positive(),
+         {},
+         si,
+         "lengths are in units of the radius already: leave it out"},
+        {"vessel", "length", measure, "length of the tube", length, closed(0.5, 1e4)},
+        {"vessel", "rigid_inlet", measure, "length of the rigid inlet", length, positive()},
+        {"vessel", "rigid_outlet", measure, "length of the rigid outlet", length, positive()},
+        {"vessel", "rigid", boolean, "whether the whole tube is rigid"},
+
+        {"wall", "law", choice, "elastic law", none, {}, laws},
+        {"wall",
+         "eps",
+         number,
+         "deformability mu U_c/G_s",
+         none,
+         closed(1e-8, 10),
+         {},
+         plain,
+         "give surface_shear_modulus, or youngs_modulus and thickness"},
+        {"wall",
+         "surface_shear_modulus",
+         measure,
+         "surface shear modulus G_s",
+         Quantity::surface_tension,
+         positive(),
+         {},
+         si,
+         "give eps"},
+        {"wall",
+         "youngs_modulus",
+         measure,
+         "Young's modulus E",
+         pressure,
+         positive(),
+         {},
+         si,
+         "give eps"},
+        {"wall",
+         "thickness",
+         measure,
+         "wall thickness h",
+         length,
+         positive_to(0.5),
+         {},
+         si,
+         "give eps"},
+        {"wall", "poisson_ratio", number, "surface Poisson ratio nu_s", none, at_most_one},
+        {"wall", "psi", number, "Psi of the Mooney-Rivlin law", none, closed(0, 1)},
+        {"wall", "skalak_C", number, "area modulus of Skalak's law over G_s", none,
+         closed(0, 1000)},
+        {"wall", "edge_over_spacing", number, "triangle edge over grid spacing", none,
+         closed(0.2, 2)},
+    };
+}
+
+std::vector<KeyRule> numerical_keys()
+{
+    using enum Kind;
+    const Range width = {.min = 2, .max = 1e4, .open_min = true};
+    return {
+        {"grid", "width_y", measure, "width of the box between the walls", length, width},
+        {"grid", "width_z", measure, "period of the box", length, width},
+        {"grid", "spacing", measure, "grid spacing", length, positive_to(0.34)},
+        {"grid", "cells", counts, "numbers of cells along x, y, z", none, closed(8, 1e6)},
+        {"grid", "tube_offset_y", measure, "tube axis from the box centre", length},
+        {"grid", "tube_offset_z", measure, "tube axis from the box centre", length},
+
+        {"coupling",
+         "scheme",
+         choice,
+         "coupling of fluid and wall",
+         none,
+         {},
+         {"printed", "reaction", "conserving"}},
+
+        {"time", "step", step, "time step", Quantity::time, positive()},
+        {"time", "safety", number, "factor on the automatic step", none, positive_to(2)},
+
+        {"stop", "end_time", measure, "time to stop at", Quantity::time, positive()},
+        {"stop", "steps", integer, "number of steps to stop at", none, closed(1, 1e9)},
+        {"stop", "steady_tolerance", number, "relative change that counts as steady", none,
+         positive_to(0.1)},
+        {"stop", "wall_clock", seconds, "real time to stop at", Quantity::time, positive()},
+
+        {"output", "sample_every", integer, "steps between rows of series.csv", none,
+         closed(1, 1e9)},
+        {"output", "wall_every", measure, "time between frames of the wall", Quantity::time,
+         positive()},
+        {"output", "fluid_every", measure, "time between frames of the fluid", Quantity::time,
+         positive()},
+        {"output", "wall", boolean, "whether to write the wall"},
+        {"output", "fluid", boolean, "whether to write the fluid"},
+        {"output", "precision", choice, "precision of the fields", none, {}, {"single", "double"}},
+    };
+}
+
+} // namespace
+
+bool Range::contains(Real value) const
+{
+    return (open_min ? value > min : value >= min) && (open_max ? value < max : value <= max);
+}
+
+std::string Range::describe() const
+{
+    const bool low = std::isfinite(min), high = std::isfinite(max);
+    if (low && high && !open_min && !open_max) return fmt::format("from {:g} to {:g}", min, max);
+    std::string text;
+    if (low) text = fmt::format("{} {:g}", open_min ? "greater than" : "at least", min);
+    if (low && high) text += " and ";
+    if (high) text += fmt::format("{} {:g}", open_max ? "less than" : "at most", max);
+    return text.empty() ? "finite" : text;
+}
+
+std::string KeyRule::name() const
+{
+    return section.empty() ? std::string(key) : fmt::format("{}.{}", section, key);
+}
+
+const std::vector<KeyRule>& case_keys()
+{
+    static const std::vector<KeyRule> rules = [] {
+        std::vector<KeyRule> all = flow_keys();
+        for (const auto& part : {wall_keys(), numerical_keys()})
+            all.insert(all.end(), part.begin(), part.end());
+        return all;
+    }();
+    return rules;
+}
+
+const KeyRule* find_key(std::string_view section, std::string_view key)
+{
+    for (const KeyRule& rule : case_keys())
+        if (rule.section == section && rule.key == key) return &rule;
+    return nullptr;
+}
+
+const KeyRule& case_key(std::string_view name)
+{
+    for (const KeyRule& rule : case_keys())
+        if (rule.name() == name) return rule;
+    throw std::logic_error(fmt::format("no rule for the key {}", name));
+}
+
+std::vector<std::string_view> case_sections()
+{
+    std::vector<std::string_view> sections;
+    for (const KeyRule& rule : case_keys())
+        if (!rule.section.empty() && (sections.empty() || sections.back() != rule.section))
+            sections.push_back(rule.section);
+    return sections;
+}
+
+std::vector<std::string_view> keys_of(std::string_view section, std::optional<UnitSystem> system)
+{
+    std::vector<std::string_view> keys;
+    for (const KeyRule& rule : case_keys())
+        if (rule.section == section && (!rule.only || !system || rule.only == system))
+            keys.push_back(rule.key);
+    return keys;
+}
+
+} // namespace starling

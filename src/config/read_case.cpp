@@ -1,0 +1,141 @@
+#include "config/read_case.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+
+#include "config/case_values.hpp"
+#include "config/read_scaling.hpp"
+#include "config/read_wall.hpp"
+#include "config/shipped_cases.hpp"
+#include "config/validate.hpp"
+
+namespace starling {
+
+namespace {
+
+void read_drive(CaseValues& values, const Case& c, DriveParameters& drive)
+{
+    const bool inlet = values.given("drive.pressure_inlet");
+    const bool outlet = values.given("drive.pressure_outlet");
+    values.fill("drive.pressure_inlet", drive.pressure_inlet);
+    values.fill("drive.pressure_outlet", drive.pressure_outlet);
+    values.fill("drive.pressure_external", drive.pressure_external);
+    const std::string_view ratio = "drive.pressure_ratio";
+    if (!values.given(ratio)) {
+        if (values.system() == UnitSystem::si)
+            values.require("drive.pressure_inlet");
+        else if (!inlet)
+            values.problem(ratio, "is missing: give it or pressure_inlet");
+        return;
+    }
+    if (inlet && outlet) values.problem(ratio, "give it or both pressures, not all three");
+    if (!values.sound({ratio, "vessel.length", "fluid.reynolds"})) return;
+    const Real drop = values.number(ratio) * c.baseline_pressure_drop();
+    (inlet ? drive.pressure_outlet : drive.pressure_inlet) =
+        inlet ? drive.pressure_inlet - drop : drive.pressure_outlet + drop;
+    for (Real p : {drive.pressure_inlet, drive.pressure_outlet})
+        if (!case_key("drive.pressure_inlet").range.contains(p))
+            values.problem(ratio, fmt::format("gives a pressure of {:g}, which is too large", p));
+}
+
+void read_grid(CaseValues& values, const Case& c, GridParameters& g)
+{
+    values.fill("grid.width_y", g.width_y);
+    values.fill("grid.width_z", g.width_z);
+    values.fill("grid.spacing", g.spacing);
+    values.fill("grid.cells", g.cells);
+    values.fill("grid.tube_offset_y", g.tube_offset_y);
+    values.fill("grid.tube_offset_z", g.tube_offset_z);
+    if (!g.cells) return;
+    if (values.given("grid.spacing")) values.problem("grid.cells", "give it or spacing, not both");
+    const Vec3 d = spacings(g, c.tube.length);
+    g.spacing = std::cbrt(d.x * d.y * d.z);
+}
+
+void read_numerics(CaseValues& values, Case& c)
+{
+    const std::string scheme = values.text("coupling.scheme", "reaction");
+    if (scheme == "printed") c.coupling.scheme = CouplingScheme::printed;
+    if (scheme == "reaction") c.coupling.scheme = CouplingScheme::reaction;
+    if (scheme == "conserving") c.coupling.scheme = CouplingScheme::conserving;
+    values.fill("fluid.theta", c.fluid.theta);
+    values.fill("time.step", c.time.step);
+    values.fill("time.safety", c.time.safety);
+}
+
+void read_stop(CaseValues& values, StopParameters& stop)
+{
+    const bool any = values.given("stop.end_time") || values.given("stop.steps") ||
+                     values.given("stop.steady_tolerance") || values.given("stop.wall_clock");
+    values.fill("stop.end_time", stop.end_time);
+    values.fill("stop.steps", stop.steps);
+    values.fill("stop.steady_tolerance", stop.steady_tolerance);
+    values.fill("stop.wall_clock", stop.wall_clock);
+    if (any) return;
+    if (values.has_section("stop"))
+        values.problem("stop.steady_tolerance",
+                       "is missing: give it, end_time, steps or wall_clock");
+    stop.steady_tolerance = 1e-4;
+    stop.steps = 200000;
+}
+
+void read_output(CaseValues& values, OutputParameters& output)
+{
+    values.fill("output.sample_every", output.sample_every);
+    values.fill("output.wall_every", output.wall_every);
+    values.fill("output.fluid_every", output.fluid_every);
+    values.fill("output.wall", output.wall);
+    values.fill("output.fluid", output.fluid);
+    output.double_precision = values.text("output.precision", "single") == "double";
+}
+
+std::string read_text(const std::filesystem::path& file)
+{
+    const auto fail = [&](const std::string& what) {
+        throw InputError({{file.string(), 0, "", what}});
+    };
+    constexpr std::uintmax_t largest = 1 << 20;
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (!std::filesystem::exists(status)) fail("no such file; " + shipped_cases_hint());
+    if (std::filesystem::is_directory(status)) fail("is a directory, not a case file");
+    if (!std::filesystem::is_regular_file(status)) fail("is not a regular file");
+    if (std::filesystem::file_size(file, error) > largest || error)
+        fail("is too large for a case file (1 MiB)");
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
+    if (!stream) fail("cannot be read");
+    return text.str();
+}
+
+} // namespace
+
+Case read_case_text(std::string_view text, const std::string& name,
+                    const std::vector<std::string>& overrides)
+{
+    CaseValues values(parse_document(text, name, overrides));
+    Case c;
+    c.scaling = read_scaling(values);
+    c.title = values.text("title", "");
+    read_reynolds(values, c.scaling, c.fluid.reynolds);
+    read_wall(values, c);
+    read_drive(values, c, c.drive);
+    read_grid(values, c, c.grid);
+    read_numerics(values, c);
+    read_stop(values, c.stop);
+    read_output(values, c.output);
+    validate(values, c);
+    values.throw_problems();
+    return c;
+}
+
+Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    return read_case_text(read_text(file), file.string(), overrides);
+}
+
+} // namespace starling

@@ -1,0 +1,129 @@
+#include "config/read_wall.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+namespace starling {
+
+namespace {
+
+void read_tube(CaseValues& values, TubeParameters& tube)
+{
+    values.require("vessel.length");
+    values.fill("vessel.length", tube.length);
+    values.fill("vessel.rigid", tube.rigid);
+    if (!tube.rigid && values.sound({"vessel.rigid"})) {
+        values.require("vessel.rigid_inlet");
+        values.require("vessel.rigid_outlet");
+    }
+    values.fill("vessel.rigid_inlet", tube.rigid_inlet);
+    values.fill("vessel.rigid_outlet", tube.rigid_outlet);
+    values.fill("wall.edge_over_spacing", tube.edge_over_spacing);
+}
+
+void refuse_unused(CaseValues& values, std::string_view name, std::string_view law)
+{
+    if (values.given(name))
+        values.problem(name, fmt::format("is read with law = \"{}\" only; leave it out", law));
+}
+
+/// nu_s and C of Skalak's law, each from the other: nu_s = C/(1 + C) (sec. 2.2).
+void read_skalak(CaseValues& values, MaterialParameters& m)
+{
+    const std::string_view C = "wall.skalak_C", nu = "wall.poisson_ratio";
+    values.fill(C, m.skalak_C);
+    values.fill(nu, m.poisson_ratio);
+    if (!values.sound({C, nu})) return;
+    const Real nu_of_C = m.skalak_C / (1 + m.skalak_C);
+    if (!values.given(C)) m.skalak_C = m.poisson_ratio / (1 - m.poisson_ratio);
+    if (!values.given(nu)) m.poisson_ratio = nu_of_C;
+    if (!case_key(C).range.contains(m.skalak_C))
+        values.problem(nu, fmt::format("gives C = {:g}; C must be {}", m.skalak_C,
+                                       case_key(C).range.describe()));
+    else if (values.given(C) && values.given(nu) && std::abs(m.poisson_ratio - nu_of_C) > 1e-6)
+        values.problem(C, fmt::format("contradicts poisson_ratio: C = {:g} means a Poisson ratio "
+                                      "of C/(1 + C) = {:g}; give one of the two",
+                                      m.skalak_C, nu_of_C));
+}
+
+void read_law(CaseValues& values, MaterialParameters& m)
+{
+    const std::string law = values.text("wall.law", "hooke");
+    if (law == "hooke") m.law = ElasticLaw::hooke;
+    if (law == "neo-hookean") m.law = ElasticLaw::neo_hookean;
+    if (law == "mooney-rivlin") m.law = ElasticLaw::mooney_rivlin;
+    if (law == "skalak") m.law = ElasticLaw::skalak;
+}
+
+void read_parameters_of_law(CaseValues& values, MaterialParameters& m)
+{
+    if (m.law == ElasticLaw::mooney_rivlin)
+        values.fill("wall.psi", m.psi);
+    else
+        refuse_unused(values, "wall.psi", "mooney-rivlin");
+    if (m.law == ElasticLaw::skalak)
+        read_skalak(values, m);
+    else
+        refuse_unused(values, "wall.skalak_C", "skalak");
+    if (m.law == ElasticLaw::hooke) values.fill("wall.poisson_ratio", m.poisson_ratio);
+    const bool incompressible =
+        m.law == ElasticLaw::neo_hookean || m.law == ElasticLaw::mooney_rivlin;
+    if (incompressible && values.has("wall.poisson_ratio") &&
+        values.number("wall.poisson_ratio") != 0.5)
+        values.problem("wall.poisson_ratio", "is 0.5 for this law, which keeps the wall's volume");
+}
+
+/// G_s in N/m, given or E h/(2 (1 + nu_s)) (Eq. 9).
+std::optional<long double> surface_shear_modulus(CaseValues& values, bool required, Real nu_s)
+{
+    const std::string_view direct = "wall.surface_shear_modulus";
+    const bool young = values.given("wall.youngs_modulus") || values.given("wall.thickness");
+    if (values.given(direct)) {
+        if (young) values.problem(direct, "give it, or youngs_modulus and thickness, not both");
+        return values.has(direct) ? std::optional(values.si(direct)) : std::nullopt;
+    }
+    if (!young) {
+        if (required)
+            values.problem(direct, "is missing: give it, or youngs_modulus and thickness");
+        return std::nullopt;
+    }
+    const bool modulus = values.require("wall.youngs_modulus");
+    const bool thickness = values.require("wall.thickness");
+    if (!modulus || !thickness || !values.sound({"wall.poisson_ratio"})) return std::nullopt;
+    return values.si("wall.youngs_modulus") * values.si("wall.thickness") /
+           (2 * (1 + static_cast<long double>(nu_s)));
+}
+
+/// eps = mu U_c/G_s, given or from SI values.
+void read_eps(CaseValues& values, const Case& c, bool required, MaterialParameters& m)
+{
+    if (values.system() == UnitSystem::dimensionless) {
+        if (required) values.require("wall.eps");
+        return values.fill("wall.eps", m.eps);
+    }
+    const auto G_s = surface_shear_modulus(values, required, m.poisson_ratio);
+    const auto scale = static_cast<long double>(c.scaling.factor(Quantity::surface_tension));
+    if (!G_s || !std::isfinite(scale) || !values.sound({"fluid.viscosity"})) return;
+    const auto eps = static_cast<Real>(scale / (static_cast<long double>(c.fluid.reynolds) * *G_s));
+    const bool young = values.given("wall.youngs_modulus");
+    values.accept(young ? "wall.youngs_modulus" : "wall.surface_shear_modulus", "wall.eps", eps,
+                  m.eps);
+}
+
+} // namespace
+
+void read_wall(CaseValues& values, Case& c)
+{
+    read_tube(values, c.tube);
+    const bool elastic = !c.tube.rigid && values.sound({"vessel.rigid"});
+    if (elastic) values.require("wall.law");
+    if (values.sound({"wall.law"})) {
+        read_law(values, c.material);
+        read_parameters_of_law(values, c.material);
+    }
+    read_eps(values, c, elastic, c.material);
+}
+
+} // namespace starling

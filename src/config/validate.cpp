@@ -1,0 +1,111 @@
+#include "config/validate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace starling {
+
+namespace {
+
+constexpr Real room_in_spacings = 3;           ///< between the tube and the box
+constexpr Real rigid_end_in_spacings = 2;      ///< for the ghost nodes of a rigid end
+constexpr Real deforming_part_in_spacings = 4; ///< the wall's force spreads over this width
+constexpr Real largest_cell_count = 2e9;
+constexpr Real largest_spacing_ratio = 1.25;
+constexpr Real largest_step_count = 1e9;
+
+/// The key that sets the spacing, for messages.
+std::string_view spacing_key(const Case& c) { return c.grid.cells ? "grid.cells" : "grid.spacing"; }
+
+void check_room(CaseValues& values, std::string_view width_key, std::string_view offset_key,
+                Real width, Real offset, Real spacing)
+{
+    if (!values.sound({width_key, offset_key, "grid.spacing", "grid.cells"})) return;
+    const Real room = width / 2 - std::abs(offset) - 1;
+    if (room >= room_in_spacings * spacing) return;
+    values.problem(width_key,
+                   fmt::format("leaves {:.4g} R_0 between the tube and the box; 3 spacings are "
+                               "needed, so at least {:.4g} R_0 for this offset and spacing",
+                               room, 2 * (1 + std::abs(offset) + room_in_spacings * spacing)));
+}
+
+void check_cells(CaseValues& values, const Case& c, const Vec3& d)
+{
+    const std::string_view key = spacing_key(c);
+    if (!values.sound({key, "vessel.length", "grid.width_y", "grid.width_z"})) return;
+    const Real count = c.tube.length / d.x * (c.grid.width_y / d.y) * (c.grid.width_z / d.z);
+    if (!(count <= largest_cell_count))
+        return values.problem(key, fmt::format("asks for {:.3g} cells; at most {:.3g} are allowed",
+                                               count, largest_cell_count));
+    const Real least = std::min({d.x, d.y, d.z}), most = std::max({d.x, d.y, d.z});
+    if (most > largest_spacing_ratio * least)
+        values.problem(key, fmt::format("gives the spacings {:.4g}, {:.4g}, {:.4g} R_0; they must "
+                                        "not differ by more than a factor of {:g}",
+                                        d.x, d.y, d.z, largest_spacing_ratio));
+    if (c.grid.cells) {
+        const Range& range = case_key("grid.spacing").range;
+        if (!range.contains(most))
+            values.problem(key, fmt::format("gives a spacing of {:.4g} R_0; it must be {}", most,
+                                            range.describe()));
+    }
+}
+
+void check_segments(CaseValues& values, const TubeParameters& tube, Real spacing)
+{
+    const Real deforming = tube.length - tube.rigid_inlet - tube.rigid_outlet;
+    if (!values.sound({"vessel.length", "vessel.rigid_inlet", "vessel.rigid_outlet"})) return;
+    if (deforming <= 0)
+        return values.problem("vessel.length",
+                              fmt::format("is {:.6g} R_0; the rigid inlet and outlet together take "
+                                          "{:.6g} R_0 and leave nothing that deforms",
+                                          tube.length, tube.length - deforming));
+    if (!values.sound({"grid.spacing", "grid.cells"})) return;
+    if (deforming < deforming_part_in_spacings * spacing)
+        values.problem("vessel.length",
+                       fmt::format("leaves a deforming part of {:.4g} R_0; at least 4 spacings of "
+                                   "{:.4g} are needed",
+                                   deforming, spacing));
+    for (const auto& [key, end] : {std::pair{"vessel.rigid_inlet", tube.rigid_inlet},
+                                   std::pair{"vessel.rigid_outlet", tube.rigid_outlet}})
+        if (end < rigid_end_in_spacings * spacing)
+            values.problem(key, fmt::format("is {:.4g} R_0, under 2 grid spacings of {:.4g}: make "
+                                            "it longer or the spacing finer",
+                                            end, spacing));
+}
+
+void check_duration(CaseValues& values, const Case& c)
+{
+    if (!c.time.step || !c.stop.end_time || !values.sound({"time.step", "stop.end_time"})) return;
+    const Real steps = *c.stop.end_time / *c.time.step;
+    if (steps > largest_step_count)
+        values.problem("time.step", fmt::format("needs {:.3g} steps to end_time; at most {:.3g} "
+                                                "are allowed",
+                                                steps, largest_step_count));
+    if (steps < 1) values.problem("time.step", "is longer than end_time");
+}
+
+} // namespace
+
+Vec3 spacings(const GridParameters& grid, Real tube_length)
+{
+    if (!grid.cells) return {grid.spacing, grid.spacing, grid.spacing};
+    const auto& n = *grid.cells;
+    return {tube_length / static_cast<Real>(n[0]), grid.width_y / static_cast<Real>(n[1]),
+            grid.width_z / static_cast<Real>(n[2])};
+}
+
+void validate(CaseValues& values, const Case& c)
+{
+    const Vec3 d = spacings(c.grid, c.tube.length);
+    check_room(values, "grid.width_y", "grid.tube_offset_y", c.grid.width_y, c.grid.tube_offset_y,
+               d.y);
+    check_room(values, "grid.width_z", "grid.tube_offset_z", c.grid.width_z, c.grid.tube_offset_z,
+               d.z);
+    check_cells(values, c, d);
+    if (!c.tube.rigid && values.sound({"vessel.rigid"})) check_segments(values, c.tube, d.x);
+    check_duration(values, c);
+}
+
+} // namespace starling
