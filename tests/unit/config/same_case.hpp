@@ -1,0 +1,51 @@
+#pragma once
+/// Equality of cases, to the bit.
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "config/case.hpp"
+
+namespace starling::test {
+
+/// Every number of a case as bits; an absent optional is a value of its own.
+inline std::vector<std::uint64_t> bits(const Case& c)
+{
+    std::vector<std::uint64_t> out;
+    const auto real = [&](Real x) { out.push_back(std::bit_cast<std::uint64_t>(x)); };
+    const auto integer = [&](auto n) { out.push_back(static_cast<std::uint64_t>(n)); };
+    const auto maybe = [&](const auto& x) {
+        integer(x.has_value());
+        if (x) real(static_cast<Real>(*x));
+    };
+    for (Real x : {c.grid.width_y,          c.grid.width_z,
+                   c.grid.spacing,          c.grid.tube_offset_y,
+                   c.grid.tube_offset_z,    c.fluid.reynolds,
+                   c.fluid.theta,           c.drive.pressure_inlet,
+                   c.drive.pressure_outlet, c.drive.pressure_external,
+                   c.tube.length,           c.tube.rigid_inlet,
+                   c.tube.rigid_outlet,     c.tube.edge_over_spacing,
+                   c.material.eps,          c.material.poisson_ratio,
+                   c.material.psi,          c.material.skalak_C,
+                   c.time.safety,           c.scaling.length,
+                   c.scaling.velocity,      c.scaling.density})
+        real(x);
+    for (const auto& x : {c.time.step, c.stop.end_time, c.stop.steady_tolerance, c.stop.wall_clock,
+                          c.output.wall_every, c.output.fluid_every})
+        maybe(x);
+    maybe(c.stop.steps);
+    integer(c.grid.cells.has_value());
+    if (c.grid.cells)
+        for (Index n : *c.grid.cells) integer(n);
+    for (bool flag :
+         {c.tube.rigid, c.output.wall, c.output.fluid, c.output.double_precision, c.scaling.si})
+        integer(flag);
+    integer(c.output.sample_every);
+    integer(c.material.law);
+    integer(c.coupling.scheme);
+    return out;
+}
+
+inline bool same(const Case& a, const Case& b) { return a.title == b.title && bits(a) == bits(b); }
+
+} // namespace starling::test

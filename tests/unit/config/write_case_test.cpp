@@ -1,0 +1,91 @@
+#include "config/write_case.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include <fmt/format.h>
+
+#include "case_text.hpp"
+#include "config/read_case.hpp"
+#include "same_case.hpp"
+
+namespace starling {
+namespace {
+
+using test::good_case;
+using test::good_si_case;
+using test::same;
+
+void expect_round_trip(const Case& c)
+{
+    const std::string text = write_case(c);
+    const Case again = read_case_text(text, "written");
+    EXPECT_TRUE(same(c, again)) << text << "\n" << write_case(again);
+    EXPECT_EQ(write_case(again), text);
+}
+
+TEST(WriteCase, ReadsBackToTheSameBits)
+{
+    const std::vector<std::vector<std::string>> changes = {
+        {},
+        {"wall.law=mooney-rivlin", "wall.psi=0.3"},
+        {"wall.law=neo-hookean"},
+        {"wall.law=skalak", "wall.poisson_ratio=", "wall.skalak_C=7.3"},
+        {"wall.law=skalak", "wall.poisson_ratio=0.3"},
+        {"coupling.scheme=conserving", "fluid.theta=0.5", "output.precision=double"},
+        {"coupling.scheme=printed", "stop.wall_clock=2 min", "stop.steady_tolerance=1e-5"},
+        {"time.safety=0.7", "output.wall=false", "output.fluid=false", "stop.steps=7"},
+        {"grid.spacing=", "grid.cells=[125, 47, 48]"},
+        {"vessel.rigid=true"},
+        {"title=\"quotes \\\" and \\\\ and \\n and \\u001b and µ\""},
+    };
+    for (const auto& overrides : changes) {
+        expect_round_trip(read_case_text(good_case, "good", overrides));
+        auto si = overrides;
+        if (overrides.size() > 1 && overrides[1] == "wall.poisson_ratio=")
+            si.push_back("drive.pressure_external=-3 mmHg");
+        expect_round_trip(read_case_text(good_si_case, "good", si));
+    }
+}
+
+TEST(WriteCase, ReadsBackToTheSameBitsForAnySiValues)
+{
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(0.9, 1.1);
+    const auto near = [&](double x) { return fmt::format("{:.17g}", x * uniform(random)); };
+    for (int n = 0; n < 300; ++n)
+        expect_round_trip(read_case_text(
+            good_si_case, "good",
+            {"fluid.density=" + near(1060) + " kg/m^3", "fluid.viscosity=" + near(4) + " mPa s",
+             "drive.pressure_inlet=" + near(0.4) + " mmHg",
+             "drive.pressure_outlet=" + near(-3) + " Pa",
+             "drive.pressure_external=" + near(1) + " Pa", "vessel.radius=" + near(100) + " um",
+             "vessel.length=" + near(1.2) + " mm", "vessel.rigid_inlet=" + near(0.1) + " mm",
+             "wall.surface_shear_modulus=" + near(2) + " dyn/cm",
+             "grid.width_y=" + near(0.5) + " mm", "grid.spacing=" + near(10) + " um",
+             "grid.tube_offset_y=" + near(-5) + " um", "time.step=" + near(1) + " us",
+             "output.wall_every=" + near(1) + " ms"}));
+}
+
+TEST(WriteCase, WritesEveryDefault)
+{
+    const std::string text = write_case(read_case_text(good_case, "good"));
+    for (const char* line :
+         {"theta = 1.0", "rigid = false", "edge_over_spacing = 0.65", "tube_offset_y = 0.0",
+          "step = \"auto\"", "safety = 1.0", "precision = \"single\"", "pressure_external = 0.0"})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+TEST(WriteCase, KeepsShortSiValuesShort)
+{
+    const std::string text = write_case(read_case_text(good_si_case, "good"));
+    for (const char* line :
+         {"density = \"1060 kg/m^3\"", "viscosity = \"4 mPa s\"", "radius = \"100 um\"",
+          "pressure_inlet = \"50 Pa\"", "surface_shear_modulus = \"2 mN/m\"", "spacing = \"10 um\"",
+          "end_time = \"20 ms\"", "tube_offset_y = \"0 m\""})
+        EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+}
+
+} // namespace
+} // namespace starling
