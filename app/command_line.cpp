@@ -74,8 +74,7 @@ std::vector<std::string> option_names(const CLI::App& app)
 std::string with_suggestion(const std::string& what, const std::string& wrong,
                             const std::vector<std::string>& names)
 {
-    return what + " " + starling::quoted(wrong) + ": " +
-           suggestion(wrong, {names.begin(), names.end()});
+    return what + " " + in_quotes(wrong) + ": " + suggestion(wrong, {names.begin(), names.end()});
 }
 
 /// What is wrong, in words that help; arguments nobody expected come first, because a misspelt
@@ -93,7 +92,7 @@ std::string describe(const CLI::App& app, const CLI::ParseError& error)
         return with_suggestion("unknown option", first, option_names(command)) + help;
     if (chosen.empty())
         return with_suggestion("unknown command", first, subcommand_names(app)) + help;
-    return "unexpected argument " + starling::quoted(first) + help;
+    return "unexpected argument " + in_quotes(first) + help;
 }
 
 } // namespace

@@ -61,7 +61,8 @@ double StopCriteria::seconds_left(const Moment& now) const
     if (stop_.end_time) time = std::fmin(time, *stop_.end_time - now.t);
     if (stop_.steps) seconds = static_cast<double>(*stop_.steps - now.steps) * seconds_per_step;
     if (stop_.wall_clock) seconds = std::fmin(seconds, *stop_.wall_clock - now.wall_seconds);
-    return std::fmax(std::fmin(seconds, time / now.dt * seconds_per_step), 0);
+    const double left = std::fmin(seconds, time / now.dt * seconds_per_step);
+    return left < 0 ? 0 : left; // keeps NaN
 }
 
 } // namespace starling

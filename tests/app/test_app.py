@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""The program as a user meets it: what it prints, its exit codes and the files it leaves.
+
+usage: test_app.py PROGRAM SOURCE_DIR SCENARIO
+"""
+import csv
+import inspect
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCE = pathlib.Path(sys.argv[2])
+CASE = str(SOURCE / "cases" / "inflation.toml")
+COARSE = [CASE, "--set", "grid.spacing=0.25", "--set", "vessel.rigid_outlet=0.55"]
+SHORT = COARSE + ["--set", "stop.steps=5", "--set", "output.sample_every=2"]
+SKIPPED = 77
+
+
+def starling(*arguments, **environment):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                          timeout=200, env={**os.environ, **environment}, check=False)
+
+
+def expect(condition, *what):
+    if not condition:
+        sys.exit("FAILED: " + " ".join(str(w) for w in what))
+
+
+def expect_exit(result, code):
+    expect(result.returncode == code, "exit code", result.returncode, "instead of", code, "\n",
+           result.stdout, result.stderr)
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as stream:
+        return list(csv.reader(stream))
+
+
+def summary_of(directory):
+    with open(directory / "summary.json", encoding="utf-8") as stream:
+        return json.load(stream)
+
+
+def wait_for(condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        expect(time.monotonic() < end, "waited in vain")
+        time.sleep(0.02)
+
+
+def test_help(_):
+    for command in ([], ["run"], ["check"], ["theory"], ["cases"], ["plot"]):
+        result = starling(*command, "--help")
+        expect_exit(result, 0)
+        expect("Usage: starling" in result.stdout, command, result.stdout)
+
+
+def test_version(_):
+    result = starling("--version")
+    expect_exit(result, 0)
+    expect(re.fullmatch(r"starling \d+\.\d+\.\d+( \(git [0-9a-f]{12,}\+?\))?\n", result.stdout),
+           result.stdout)
+
+
+def test_usage(directory):
+    out = directory / "out"
+    for arguments, words in (
+            ([], "command"), (["rnu"], '"run"'), (["chekc", CASE], '"check"'),
+            (["run", CASE], "--out"), (["run", "--out", out], "case"),
+            (["run", CASE, "--ot", out], '"--out"'), (["run", CASE, "--out", out, "--frce"], '"--force"'),
+            (["run", CASE, "--out", out, "--threads", "0"], "--threads"),
+            (["run", CASE, "--out", out, "--threads", "two"], "--threads"),
+            (["run", CASE, CASE, "--out", out], "unexpected"), (["plot"], "directory"),
+            (["plot", directory], "no results"), (["cases", "inflaton"], '"inflation"')):
+        result = starling(*arguments)
+        expect_exit(result, 2)
+        expect(words in result.stderr, arguments, "should say", words, "but says", result.stderr)
+        expect(result.stdout == "", arguments, "printed", result.stdout)
+    expect(not out.exists(), "wrong usage created", out)
+
+
+def test_bad_case(directory):
+    out = directory / "out"
+    broken = directory / "broken.toml"
+    broken.write_text("[fluid\nreynolds = 0.1\n", encoding="utf-8")
+    for arguments, words in (
+            ([directory / "missing.toml"], "missing.toml"), ([broken], "broken.toml"),
+            ([CASE, "--set", "wall.lwa=hooke"], "law"), ([CASE, "--set", "wall.eps=-1"], "wall.eps"),
+            ([CASE, "--set", "nonsense"], "nonsense")):
+        for command in (["run", *arguments, "--out", out], ["check", *arguments],
+                        ["theory", *arguments]):
+            result = starling(*command)
+            expect_exit(result, 2)
+            expect(words in result.stderr, command, "should say", words, "but says", result.stderr)
+    expect(not out.exists(), "a bad case created", out)
+
+
+def test_cases(directory):
+    names = [line.split()[0] for line in starling("cases").stdout.splitlines()[:-1]]
+    expect(set(names) >= {"inflation", "inflation_neo_hookean", "rigid_tube"}, names)
+    for name in names:
+        copy = directory / f"{name}.toml"
+        copy.write_text(starling("cases", name).stdout, encoding="utf-8")
+        expect(copy.read_text(encoding="utf-8") ==
+               (SOURCE / "cases" / f"{name}.toml").read_text(encoding="utf-8"), name)
+        expect_exit(starling("check", copy), 0)
+
+
+def test_check_and_theory(directory):
+    result = starling("check", CASE)
+    expect_exit(result, 0)
+    for words in ("Re ", "eps", "cells", "vertices", "memory", "wave speed", "membrane stiffness",
+                  "binds", "steps"):
+        expect(words in result.stdout, "check does not say", words, "\n", result.stdout)
+    result = starling("theory", CASE)
+    expect_exit(result, 0)
+    expect("Q/Q_0" in result.stdout, result.stdout)
+    result = starling("theory", CASE, "--csv")
+    expect(result.stdout.startswith("x,R,P,"), result.stdout[:80])
+    expect(not list(directory.iterdir()), "check or theory wrote a file")
+
+
+def test_run(directory):
+    out = directory / "deep" / "out"
+    result = starling("run", *SHORT, "--out", out)
+    expect_exit(result, 0)
+    for words in ("Ended (steps) after 5 steps", "one-dimensional model", "Time per phase",
+                  str(out)):
+        expect(words in result.stdout, "run does not say", words, "\n", result.stdout)
+    expected = {"case.toml", "theory.csv", "series.csv", "profile.csv", "summary.json", "wall.h5",
+                "wall.xdmf", "fluid.h5", "fluid.xdmf"}
+    expect({p.name for p in out.iterdir()} == expected, sorted(out.iterdir()))
+    check_tables(out)
+    summary = summary_of(out)
+    expect(summary["steps"] == 5 and summary["reason"] == "steps", summary)
+    expect(summary["converged"] is False and summary["cells"] > 1000, summary)
+    expect(starling("check", out / "case.toml").returncode == 0, "case.toml is not a valid case")
+    expect((out / "wall.xdmf").read_text(encoding="utf-8").count("<Time ") == 2, "wall frames")
+    expect((out / "fluid.xdmf").read_text(encoding="utf-8").count("<Time ") == 1, "fluid frames")
+    quiet = starling("run", *SHORT, "--out", directory / "quiet", "--quiet")
+    expect(quiet.returncode == 0 and quiet.stdout == quiet.stderr == "", quiet)
+
+
+def check_tables(out):
+    series = rows_of(out / "series.csv")
+    expect([row[1] for row in series[1:]] == ["0", "2", "4", "5"], series)
+    document = (SOURCE / "docs" / "results.md").read_text(encoding="utf-8")
+    for name in ("series.csv", "profile.csv"):
+        for title in rows_of(out / name)[0]:
+            column, unit = re.fullmatch(r"(\w+) \[(.+)\]", title).groups()
+            expect(f"`{column}`" in document, column, "is not in docs/results.md")
+            expect(f"| {unit} |" in document, unit, "is not in docs/results.md")
+    for key in summary_of(out):
+        expect(f"`{key}`" in document, key, "is not in docs/results.md")
+
+
+def test_refusal(directory):
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, "--out", out), 0)
+    (out / "notes.txt").write_text("mine", encoding="utf-8")
+    before = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.iterdir()}
+    result = starling("run", *SHORT, "--out", out)
+    expect_exit(result, 2)
+    expect("--force" in result.stderr, result.stderr)
+    expect(before == {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.iterdir()},
+           "a refused run changed something")
+    expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)
+    expect((out / "notes.txt").read_text(encoding="utf-8") == "mine", "--force took a foreign file")
+
+
+def start_long_run(out):
+    run = subprocess.Popen([PROGRAM, "run", *COARSE, "--set", "stop.steps=10000000", "--set",
+                            "output.sample_every=1", "--out", str(out)], stdout=subprocess.PIPE,
+                           stderr=subprocess.PIPE, text=True)
+    wait_for(lambda: run.poll() is not None or
+             (out / "series.csv").exists() and len(rows_of(out / "series.csv")) > 3)
+    expect(run.poll() is None, "the run ended by itself")
+    return run
+
+
+def test_interrupt(directory):
+    for number in (signal.SIGINT, signal.SIGTERM):
+        out = directory / number.name
+        run = start_long_run(out)
+        expect_exit(starling("run", *SHORT, "--out", out, "--force"), 2)  # a second run
+        run.send_signal(number)
+        printed, errors = run.communicate(timeout=60)
+        expect(run.returncode == 0, number, run.returncode, errors)
+        expect("interrupted" in printed, printed)
+        summary = summary_of(out)
+        expect(summary["reason"] == "interrupted", summary["reason"])
+        expect(int(rows_of(out / "series.csv")[-1][1]) == summary["steps"], "last row")
+        expect((out / "profile.csv").exists(), "no profile")
+    out = directory / "killed"
+    run = start_long_run(out)
+    run.kill()
+    run.communicate()
+    expect((out / "wall.xdmf").read_text(encoding="utf-8").endswith("</Xdmf>\n"), "wall.xdmf")
+    expect_exit(starling("run", *SHORT, "--out", out), 2)  # results stay protected
+    expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)  # the lock went with the run
+
+
+def test_numerical_error(directory):
+    out = directory / "out"
+    result = starling("run", *COARSE, "--set", "time.step=3", "--set", "stop.steps=1000", "--out",
+                      out)
+    expect_exit(result, 3)
+    expect("try:" in result.stderr, result.stderr)
+    summary = summary_of(out)
+    expect(summary["converged"] is False, summary)
+    expect(summary["reason"].startswith("numerical error"), summary["reason"])
+    expect(len(rows_of(out / "series.csv")) >= 2, "no sample")
+    expect(not (out / "profile.csv").exists(), "a profile of a broken state")
+
+
+def test_threads(directory):
+    for threads in (1, 2):
+        expect_exit(starling("run", *SHORT, "--set", "stop.steps=20", "--threads", threads,
+                             "--out", directory / str(threads)), 0)
+        expect(summary_of(directory / str(threads))["threads"] == threads, "threads")
+    for name in ("series.csv", "profile.csv", "wall.h5", "fluid.h5"):
+        one, two = ((directory / str(n) / name).read_bytes() for n in (1, 2))
+        expect(one == two, name, "differs between 1 and 2 threads")
+
+
+def test_plot(directory):
+    check = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
+                           capture_output=True, check=False)
+    if check.returncode != 0:
+        print("skipped: python3-matplotlib, python3-numpy or python3-h5py is not installed")
+        sys.exit(SKIPPED)
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, "--out", out), 0)
+    result = starling("plot", out)
+    expect_exit(result, 0)
+    expect(result.stderr == "", result.stderr)
+    for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
+        expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
+    (out / "profile.csv").unlink()  # as after a kill
+    (out / "summary.json").unlink()
+    expect_exit(starling("plot", out), 0)
+
+
+def main():
+    scenarios = {name[5:]: function for name, function in globals().items()
+                 if name.startswith("test_") and inspect.isfunction(function)}
+    with tempfile.TemporaryDirectory() as directory:
+        scenarios[sys.argv[3]](pathlib.Path(directory))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,8 @@
+# The program as a user meets it; one test per scenario of the script.
+foreach(scenario help version usage bad_case cases check_and_theory run refusal interrupt
+        numerical_error threads plot)
+  add_test(NAME App.${scenario}
+    COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/test_app.py
+            $<TARGET_FILE:starling> ${PROJECT_SOURCE_DIR} ${scenario})
+  set_tests_properties(App.${scenario} PROPERTIES LABELS app TIMEOUT 300 SKIP_RETURN_CODE 77)
+endforeach()
