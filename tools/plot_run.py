@@ -251,23 +251,15 @@ def wall_section(directory):
     return [c[h] for c, h in zip(crossing, hit) if h.sum() == 2]
 
 
-def cell_box(directory):
-    """Origin and spacing (x, y, z) of the fluid grid from the XDMF file."""
-    with open(os.path.join(directory, "fluid.xdmf"), encoding="utf-8") as stream:
-        text = stream.read()
-    found = re.findall(r'Format="XML">([^<]*)<', text)
-    return [np.array(item.split(), dtype=float)[::-1] for item in found[-2:]]
-
-
 def plot_flow(directory, unit):
     """Axial velocity in the plane through the axis, with the wall's outline."""
     if not all(os.path.exists(os.path.join(directory, name))
-               for name in ("wall.h5", "fluid.h5", "fluid.xdmf")):
+               for name in ("wall.h5", "fluid.h5")):
         return
     with h5py.File(os.path.join(directory, "fluid.h5"), "r", locking=False) as file:
-        velocity = last_frame(file)["velocity"]
+        frame = last_frame(file)
+        velocity, origin, spacing = frame["velocity"], frame.attrs["origin"], frame.attrs["spacing"]
         speed_unit = unit_of(velocity)
-        origin, spacing = cell_box(directory)
         middle = int(np.clip(-origin[2] / spacing[2], 1, velocity.shape[0] - 1))
         u = velocity[middle - 1:middle + 1, :, :, 0].mean(axis=0).astype(float)
     ends = origin[:2] + spacing[:2] * np.array(u.shape)[::-1]

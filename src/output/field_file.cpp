@@ -118,12 +118,13 @@ void FluidFile::write(const FluidSnapshot& s)
     auto frame = writer_.begin(s.t, s.step);
     const auto [nx, ny, nz] = s.cells;
     const Real l = writer_.scaling().factor(Quantity::length);
-    const Vec3 origin = l * Vec3{s.origin.z, s.origin.y, s.origin.x};
-    const Vec3 spacing = l * Vec3{s.spacing.z, s.spacing.y, s.spacing.x};
-    frame.xdmf =
-        fmt::format("<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
-                    "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
-                    nz + 1, ny + 1, nx + 1, xdmf::data_item(origin), xdmf::data_item(spacing));
+    const Vec3 origin = l * s.origin, spacing = l * s.spacing;
+    frame.file.attribute(frame.group, "origin", origin);
+    frame.file.attribute(frame.group, "spacing", spacing);
+    frame.xdmf = fmt::format("<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
+                             "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
+                             nz + 1, ny + 1, nx + 1, xdmf::data_item_zyx(origin),
+                             xdmf::data_item_zyx(spacing));
     for (const NamedArray& a : s.at_cell) {
         std::vector<hsize_t> shape = {static_cast<hsize_t>(nz), static_cast<hsize_t>(ny),
                                       static_cast<hsize_t>(nx)};

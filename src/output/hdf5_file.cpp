@@ -167,6 +167,14 @@ void File::attribute(const std::string& path, const std::string& name, Index val
     write_attribute(path, name, H5T_NATIVE_INT64, &value);
 }
 
+void File::attribute(const std::string& path, const std::string& name, const Vec3& value)
+{
+    const hsize_t three = 3;
+    const Real xyz[] = {value.x, value.y, value.z};
+    const Handle type(H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &three), H5Tclose, "set up HDF5");
+    write_attribute(path, name, type.get(), xyz);
+}
+
 void File::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "write " + path_.string()); }
 
 } // namespace starling::hdf5

@@ -50,6 +50,7 @@ public:
     void attribute(const std::string& path, const std::string& name, const std::string& value);
     void attribute(const std::string& path, const std::string& name, Real value);
     void attribute(const std::string& path, const std::string& name, Index value);
+    void attribute(const std::string& path, const std::string& name, const Vec3& value);
     /// Hands everything to the operating system; a file killed after this is whole.
     void flush();
 

@@ -14,11 +14,11 @@ std::string data_item(const Array& a)
                        fmt::join(a.shape, " "), a.integer ? "Int" : "Float", a.bytes, a.location);
 }
 
-std::string data_item(const Vec3& zyx)
+std::string data_item_zyx(const Vec3& v)
 {
     return fmt::format(R"(<DataItem Dimensions="3" NumberType="Float" Precision="8" Format="XML">)"
                        "{} {} {}</DataItem>",
-                       zyx.x, zyx.y, zyx.z);
+                       v.z, v.y, v.x);
 }
 
 std::string attribute(const std::string& name, Centre centre, int components, const Array& array)

@@ -21,8 +21,8 @@ struct Array {
 
 /// A reference to the array.
 std::string data_item(const Array& array);
-/// Numbers within the XML itself.
-std::string data_item(const Vec3& zyx);
+/// A vector within the XML itself, z first, as XDMF wants grids described.
+std::string data_item_zyx(const Vec3& v);
 /// Names an array as a scalar or, with three components, a vector field.
 std::string attribute(const std::string& name, Centre centre, int components, const Array& array);
 
