@@ -1,5 +1,7 @@
 #pragma once
 /// Implicit diffusion along one grid line: 1 - a d^2, with its boundary conditions.
+#include <cstdint>
+
 #include "grid/grid.hpp"
 #include "parallel/tridiagonal.hpp"
 
@@ -13,13 +15,28 @@ struct DiffusionLine {
     Index last;
     Real end_diagonal, end_neighbour;
 
-    TridiagonalRow row(Index m, bool prescribed) const
+    /// Row m for the nodes of one grid row; mask[k] is 1 where node k is prescribed.
+    struct Row {
+        Real lower, diagonal_less_1, upper;
+        const std::uint8_t* mask;
+
+        TridiagonalRow operator()(Index k) const
+        {
+            const Real active = 1 - static_cast<Real>(mask[k]);
+            return {active * lower, 1 + active * diagonal_less_1, active * upper};
+        }
+    };
+    Row row(Index m, const std::uint8_t* mask) const
     {
         const bool first = m == 0, end = first || m == last;
-        const Real neighbour = end ? end_neighbour : 1;
-        const Real active = prescribed ? 0 : a;
-        return {-active * (first ? 0 : neighbour), 1 + active * (end ? end_diagonal : 2),
-                -active * (first ? neighbour : (m == last ? 0 : 1))};
+        return {first ? 0
+                : end ? -a * end_neighbour
+                      : -a,
+                a * (end ? end_diagonal : 2),
+                m == last ? 0
+                : first   ? -a * end_neighbour
+                          : -a,
+                mask};
     }
 };
 

@@ -74,19 +74,22 @@ void Momentum::explicit_terms_and_plane_solves(FluidState& s, ScalarField& rhs_f
 
     for_range(box.begin[0], box.end[0], [=](Index i) {
         Real* scratch = all_scratch + scratch_size * thread_number();
+        const ExplicitTerms<C> plane_terms = terms; // local, so that the loop vectorises
         for (Index j = j_begin; j < j_end; ++j) {
             const Index row = rhs.offset(i, j, 0);
 #pragma omp simd
-            for (Index k = 0; k < nz; ++k) terms(row + k);
+            for (Index k = 0; k < nz; ++k) plane_terms(row + k);
         }
         for (Index m = prescribed.plane_begin[static_cast<std::size_t>(i)];
              m < prescribed.plane_begin[static_cast<std::size_t>(i + 1)]; ++m) {
             const auto e = static_cast<std::size_t>(m);
             rhs.data[prescribed.node[e]] = prescribed.value[e] - u.data[prescribed.node[e]];
         }
+        const std::uint8_t* plane_mask = &mask(i, j_begin, 0);
+        const Index mask_stride = mask.stride_y;
         solve_lines(
             &rhs(i, j_begin, 0), rhs.stride_y, j_end - j_begin, nz,
-            [=](Index m, Index k) { return line_y.row(m, mask(i, j_begin + m, k) != 0); }, scratch);
+            [=](Index m) { return line_y.row(m, plane_mask + m * mask_stride); }, scratch);
         for (Index j = j_begin; j < j_end; j += PeriodicLines::block)
             line_z.solve(&rhs(i, j, 0), &mask(i, j, 0), rhs.stride_y,
                          std::min(PeriodicLines::block, j_end - j), scratch);
@@ -103,8 +106,7 @@ void Momentum::x_solve_and_add(ScalarField& u_field, ScalarField& increment,
     const View<const std::uint8_t> mask = prescribed.mask;
     const View<Real> delta = increment.view(), u = u_field.view();
     lines_.solve(delta.data, delta.stride_x, delta.stride_y, box.end[0], {box.begin[1], box.end[1]},
-                 grid_.nz(),
-                 [=](Index i, Index j, Index k) { return line.row(i, mask(i, j, k) != 0); });
+                 grid_.nz(), [=](Index i, Index j) { return line.row(i, &mask(i, j, 0)); });
     for_each(box, [=](Index i, Index j, Index k) { u(i, j, k) += delta(i, j, k); });
     fill_velocity_halo(grid_, C, u_field);
 }

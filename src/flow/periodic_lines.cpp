@@ -2,26 +2,49 @@
 
 namespace starling {
 
+namespace {
+
+constexpr Index b = PeriodicLines::block;
+
+/// Transposes `rows` rows of nz values, `stride` apart, into nz groups of b values. Missing rows
+/// repeat the first one.
+void load_transposed(const Real* x, Index stride, Index rows, Index nz, Real* __restrict y)
+{
+    const Real* row[b];
+    for (Index r = 0; r < b; ++r) row[r] = x + (r < rows ? r : 0) * stride;
+    for (Index k = 0; k < nz; ++k)
+        for (Index r = 0; r < b; ++r) y[k * b + r] = row[r][k];
+}
+
+/// The coefficient a, or 0 at prescribed nodes, transposed likewise.
+void load_active(const std::uint8_t* mask, Index stride, Index rows, Index nz, Real a,
+                 Real* __restrict c)
+{
+    std::uint8_t any = 0;
+    for (Index r = 0; r < rows; ++r)
+        for (Index k = 0; k < nz; ++k) any |= mask[r * stride + k];
+    for (Index n = 0; n < b * nz; ++n) c[n] = a;
+    if (any == 0) return;
+    for (Index r = 0; r < rows; ++r)
+        for (Index k = 0; k < nz; ++k)
+            if (mask[r * stride + k]) c[k * b + r] = 0;
+}
+
+} // namespace
+
 // With corners c_0 = -a_0 (row 0, column nz-1) and c_n = -a_n (row nz-1, column 0), the matrix is
 // T + g s^T with g = (gamma, 0, ..., c_n), s = (1, 0, ..., c_0/gamma); T is tridiagonal. Then
 // x = y - q (s.y)/(1 + s.q) with T y = rhs and T q = g.
 void PeriodicLines::solve(Real* x, const std::uint8_t* mask, Index stride, Index rows,
                           Real* scratch) const
 {
-    constexpr Index b = block;
     Real* __restrict y = scratch;              // [k][row]
     Real* __restrict q = scratch + b * nz;     // [k][row]
     Real* __restrict c = scratch + 2 * b * nz; // upper coefficient after elimination
     const Index n = nz - 1;
 
-    // transposed right-hand side; c holds the active coefficient a until the elimination
-    for (Index r = 0; r < b; ++r) {
-        const Index row = r < rows ? r : 0;
-        for (Index k = 0; k < nz; ++k) {
-            y[k * b + r] = x[row * stride + k];
-            c[k * b + r] = mask[row * stride + k] ? 0 : a;
-        }
-    }
+    load_transposed(x, stride, rows, nz, y);
+    load_active(mask, stride, rows, nz, a, c); // turned into the upper coefficient below
     Real corner_0[b], corner_n[b], gamma[b];
 #pragma omp simd
     for (Index r = 0; r < b; ++r) {

@@ -84,9 +84,13 @@ void Poisson::solve_buffer(ScalarField& phi)
     const Real *lambda_y = eigenvalues_y_.data(), *lambda_z = eigenvalues_z_.data();
     const Index last = grid_.nx() - 1;
     lines_.solve(buffer.data, buffer.stride_x, buffer.stride_y, grid_.nx(), {0, grid_.ny()}, row_,
-                 [=](Index i, Index j, Index k) {
+                 [=](Index i, Index j) {
                      const Real end = i == 0 || i == last ? ax : 0; // phi = 0 on the end faces
-                     return TridiagonalRow{ax, lambda_y[j] + lambda_z[k] - 2 * ax - end, ax};
+                     const Real diagonal = lambda_y[j] - 2 * ax - end;
+                     const Real lower = i == 0 ? 0 : ax, upper = i == last ? 0 : ax;
+                     return [=](Index k) {
+                         return TridiagonalRow{lower, diagonal + lambda_z[k], upper};
+                     };
                  });
 
     for_range(0, grid_.nx(), [=](Index i) { plans->backward(&buffer(i, 0, 0)); });

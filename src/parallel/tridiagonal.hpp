@@ -10,35 +10,36 @@ struct TridiagonalRow {
 };
 
 /// Solves `width` independent systems of `n` unknowns in place. Unknown m of line k is
-/// x[m * stride + k]; coefficients(m, k) gives its row (the first row's lower and the last row's
-/// upper coefficient are ignored). `scratch` holds n * width values. No pivoting: rows must be
-/// diagonally dominant.
-template <class Coefficients>
-void solve_lines(Real* __restrict x, Index stride, Index n, Index width,
-                 const Coefficients coefficients, Real* __restrict scratch)
+/// x[m * stride + k]; rows(m) gives a function of k that returns row m of line k (the first row's
+/// lower and the last row's upper coefficient are ignored). `scratch` holds n * width values. No
+/// pivoting: rows must be diagonally dominant.
+template <class Rows>
+void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, Real* scratch)
 {
+    const auto first = rows(Index{0});
 #pragma omp simd
     for (Index k = 0; k < width; ++k) {
-        const TridiagonalRow r = coefficients(Index{0}, k);
+        const TridiagonalRow r = first(k);
         const Real inverse = 1 / r.diagonal;
         scratch[k] = r.upper * inverse;
         x[k] *= inverse;
     }
     for (Index m = 1; m < n; ++m) {
-        Real* __restrict x_m = x + m * stride;
+        const auto row = rows(m);
+        Real* x_m = x + m * stride;
         const Real* x_before = x_m - stride;
-        Real* __restrict c_m = scratch + m * width;
+        Real* c_m = scratch + m * width;
         const Real* c_before = c_m - width;
 #pragma omp simd
         for (Index k = 0; k < width; ++k) {
-            const TridiagonalRow r = coefficients(m, k);
+            const TridiagonalRow r = row(k);
             const Real inverse = 1 / (r.diagonal - r.lower * c_before[k]);
             c_m[k] = r.upper * inverse;
             x_m[k] = (x_m[k] - r.lower * x_before[k]) * inverse;
         }
     }
     for (Index m = n - 2; m >= 0; --m) {
-        Real* __restrict x_m = x + m * stride;
+        Real* x_m = x + m * stride;
         const Real* x_after = x_m + stride;
         const Real* c_m = scratch + m * width;
 #pragma omp simd

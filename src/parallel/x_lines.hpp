@@ -7,23 +7,23 @@
 namespace starling {
 
 /// Solves along x for all rows j in [j_begin, j_end), each row `width` lines wide, in place.
-/// `data` points at plane 0, row 0; coefficients(i, j, k) gives the matrix rows.
+/// `data` points at plane 0, row 0; rows(i, j) gives
+/// the function of k for matrix row i of the lines of row j.
 class XLines {
 public:
     /// Scratch for `planes` unknowns along x and rows of `width` values, one part per thread.
     XLines(Index planes, Index width) : size_(planes * width), scratch_(size_ * max_threads()) {}
 
-    template <class Coefficients>
+    template <class Rows>
     void solve(Real* data, Index stride_x, Index stride_y, Index planes, std::array<Index, 2> rows,
-               Index width, Coefficients coefficients)
+               Index width, Rows rows_of)
     {
         Real* scratch = scratch_.data();
         const Index size = size_;
         for_range(rows[0], rows[1], [=](Index j) {
             solve_lines(
                 data + j * stride_y, stride_x, planes, width,
-                [=](Index i, Index k) { return coefficients(i, j, k); },
-                scratch + size * thread_number());
+                [=](Index i) { return rows_of(i, j); }, scratch + size * thread_number());
         });
     }
 

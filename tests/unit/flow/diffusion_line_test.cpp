@@ -29,7 +29,8 @@ TEST_P(DiffusionLineOf, RowsEqualTheExplicitOperatorWithItsHalos)
         EXPECT_EQ(line.last, box.end[d] - box.begin[d] - 1);
         support::visit(box, [&](Index i, Index j, Index k) {
             const Index m = direction == 0 ? i : j - box.begin[1];
-            const TridiagonalRow r = line.row(m, false);
+            const std::uint8_t free = 0;
+            const TridiagonalRow r = line.row(m, &free)(0);
             const Real* x = &view(i, j, k);
             if (m == 0) {
                 EXPECT_EQ(r.lower, 0);
@@ -48,7 +49,8 @@ TEST_P(DiffusionLineOf, PrescribedRowsAreTheIdentity)
     for (int direction : {0, 1}) {
         const DiffusionLine line = diffusion_line(g, GetParam(), direction, 0.7);
         for (Index m = 0; m <= line.last; ++m) {
-            const TridiagonalRow r = line.row(m, true);
+            const std::uint8_t prescribed = 1;
+            const TridiagonalRow r = line.row(m, &prescribed)(0);
             EXPECT_EQ(r.lower, 0);
             EXPECT_EQ(r.diagonal, 1);
             EXPECT_EQ(r.upper, 0);

@@ -47,7 +47,8 @@ TEST(Tridiagonal, SolutionTimesMatrixIsTheRightHandSide)
             const std::vector<Real> rhs = x;
             solve_lines(
                 x.data(), stride, n, width,
-                [&](Index m, Index k) { return rows[at(m * width + k)]; }, scratch.data());
+                [&](Index m) { return [&, m](Index k) { return rows[at(m * width + k)]; }; },
+                scratch.data());
             for (Index m = 0; m < n; ++m)
                 for (Index k = 0; k < width; ++k)
                     EXPECT_NEAR(multiply(rows[at(m * width + k)], x.data() + k, stride, m, n),
@@ -70,7 +71,8 @@ TEST(Tridiagonal, IdentityRowsKeepTheirValue)
     }
     const std::vector<Real> rhs = x;
     solve_lines(
-        x.data(), width, n, width, [&](Index m, Index k) { return rows[at(m * width + k)]; },
+        x.data(), width, n, width,
+        [&](Index m) { return [&, m](Index k) { return rows[at(m * width + k)]; }; },
         scratch.data());
     for (std::size_t e = 0; e < x.size(); ++e)
         if (rows[e].diagonal == 1 && rows[e].upper == 0) {
@@ -87,11 +89,13 @@ TEST(Tridiagonal, ALineDoesNotDependOnTheOthers)
     for (Real& value : together) value = random();
     std::vector<Real> alone = together;
     solve_lines(
-        together.data(), width, n, width, [&](Index m, Index k) { return rows[at(m * width + k)]; },
+        together.data(), width, n, width,
+        [&](Index m) { return [&, m](Index k) { return rows[at(m * width + k)]; }; },
         scratch.data());
     for (Index k = 0; k < width; ++k)
         solve_lines(
-            alone.data() + k, width, n, 1, [&](Index m, Index) { return rows[at(m * width + k)]; },
+            alone.data() + k, width, n, 1,
+            [&](Index m) { return [&, m](Index) { return rows[at(m * width + k)]; }; },
             scratch.data());
     EXPECT_EQ(together, alone);
 }
@@ -112,10 +116,11 @@ TEST_P(XLinesOnThreads, SolveTheRowsAskedForAndNoOther)
     std::vector<Real> x(at(planes * stride_x));
     for (Real& value : x) value = random();
     const std::vector<Real> rhs = x;
-    const auto matrix = [](Index i, Index j, Index k) {
+    const auto row = [](Index i, Index j, Index k) {
         const auto real = [](Index n) { return static_cast<Real>(n); };
         return TridiagonalRow{0.1 * real(i), 3 + 0.2 * real(j), 0.3 * real(k)};
     };
+    const auto matrix = [=](Index i, Index j) { return [=](Index k) { return row(i, j, k); }; };
     XLines lines(planes, width);
     lines.solve(x.data(), stride_x, stride_y, planes, {1, rows - 1}, width, matrix);
     for (Index i = 0; i < planes; ++i)
@@ -125,7 +130,7 @@ TEST_P(XLinesOnThreads, SolveTheRowsAskedForAndNoOther)
                 const bool solved = j >= 1 && j < rows - 1 && k < width;
                 const Real* line = x.data() + j * stride_y + k;
                 const Real value =
-                    solved ? multiply(matrix(i, j, k), line, stride_x, i, planes) : x[at(n)];
+                    solved ? multiply(row(i, j, k), line, stride_x, i, planes) : x[at(n)];
                 EXPECT_NEAR(value, rhs[at(n)], solved ? 10 * round_off : 0);
             }
 }
