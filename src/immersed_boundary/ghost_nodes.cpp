@@ -39,7 +39,7 @@ void GhostNodes::for_neighbours(const NearNode& n, F f) const
         {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
     for (const auto& [di, dj, dk] : steps)
         if (exists(n.i + di, n.j + dj, n.k + dk))
-            f(NearNode{n.i + di, n.j + dj, n.k + dk, n.element});
+            f(NearNode{n.i + di, n.j + dj, n.k + dk, false, n.intercept});
 }
 
 bool GhostNodes::touches_other_side(const Field<std::uint8_t>& inside, const NearNode& n) const
@@ -81,8 +81,11 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
         const auto& points = section.points();
         for (Index j = nodes_.begin[1]; j < nodes_.end[1]; ++j)
             for (Index k = nodes_.begin[2]; k < nodes_.end[2]; ++k) {
-                NearNode n{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j),
-                           static_cast<std::int32_t>(k), 0};
+                NearNode n{static_cast<std::int32_t>(i),
+                           static_cast<std::int32_t>(j),
+                           static_cast<std::int32_t>(k),
+                           false,
+                           {}};
                 if (!touches_other_side(s.inside, n)) continue;
                 const Vec3 p = position(n);
                 const auto distance = [&](const Point2& q) {
@@ -91,7 +94,7 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
                 const auto nearest = std::min_element(
                     points.begin(), points.end(),
                     [&](const Point2& a, const Point2& b) { return distance(a) < distance(b); });
-                n.element =
+                n.intercept.element =
                     section.first_element() + static_cast<ElementIndex>(nearest - points.begin());
                 s.near_wall.push_back(n);
             }
@@ -99,7 +102,6 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     // room for a wall that inflates or folds, so that steps do not allocate
     const std::size_t room = 4 * s.near_wall.size() + 1024;
     s.near_wall.reserve(room);
-    intercepts_.reserve(room);
     candidates_.reserve(room);
     turned_.reserve(room);
     ghost_index_.reserve(room);
@@ -109,14 +111,14 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     update(search, s);
 }
 
-void GhostNodes::search_all(const InterceptSearch& search, std::vector<NearNode>& nodes)
+void GhostNodes::search_missing(const InterceptSearch& search, std::vector<NearNode>& nodes)
 {
-    intercepts_.resize(nodes.size());
-    NearNode* node = nodes.data();
-    Intercept* intercept = intercepts_.data();
-    for_range(0, static_cast<Index>(nodes.size()), [this, &search, node, intercept](Index n) {
-        intercept[n] = search.walk(position(node[n]), node[n].element);
-        node[n].element = intercept[n].element;
+    NearNode* all = nodes.data();
+    for_range(0, static_cast<Index>(nodes.size()), [this, &search, all](Index n) {
+        NearNode& node = all[n];
+        if (node.searched) return;
+        node.intercept = search.walk(position(node), node.intercept.element);
+        node.searched = true;
     });
 }
 
@@ -124,10 +126,9 @@ Index GhostNodes::turn_over(GhostState& s)
 {
     const auto inside = s.inside.view();
     turned_.clear();
-    for (std::size_t n = 0; n < s.near_wall.size(); ++n) {
-        const NearNode& node = s.near_wall[n];
+    for (const NearNode& node : s.near_wall) {
         std::uint8_t& flag = inside(node.i, node.j, node.k);
-        const std::uint8_t now = intercepts_[n].outside ? 0 : 1;
+        const std::uint8_t now = node.intercept.outside ? 0 : 1;
         if (flag == now) continue;
         flag = now;
         turned_.push_back(node);
@@ -143,9 +144,9 @@ void GhostNodes::rebuild(GhostState& s)
     for (const NearNode& n : turned_)
         for_neighbours(n, [&](const NearNode& m) { candidates_.push_back(m); });
     std::sort(candidates_.begin(), candidates_.end(), [](const NearNode& a, const NearNode& b) {
-        return same_node(a, b) ? a.element < b.element : in_memory_order(a, b);
+        return same_node(a, b) ? a.intercept.element < b.intercept.element : in_memory_order(a, b);
     });
-    // old nodes come first among equals and keep their own element
+    // old nodes come first among equals and keep their own intercept
     const auto old = static_cast<std::ptrdiff_t>(candidates_.size());
     candidates_.insert(candidates_.end(), s.near_wall.begin(), s.near_wall.end());
     s.near_wall.resize(candidates_.size());
@@ -159,8 +160,9 @@ void GhostNodes::rebuild(GhostState& s)
 bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
 {
     constexpr int most_sweeps = 8;
+    for (NearNode& n : s.near_wall) n.searched = false;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        search_all(search, s.near_wall);
+        search_missing(search, s.near_wall);
         if (turn_over(s) == 0) {
             collect_ghosts(s);
             return true;
@@ -192,7 +194,7 @@ void GhostNodes::collect_ghosts(const GhostState& s)
     values_.resize(offsets_.size());
     for_range(0, count(), [this, &s](Index g) {
         const std::size_t n = ghost_index_[static_cast<std::size_t>(g)];
-        const Vec3 image = 2 * intercepts_[n].point - position(s.near_wall[n]);
+        const Vec3 image = 2 * s.near_wall[n].intercept.point - position(s.near_wall[n]);
         stencils_[static_cast<std::size_t>(g)] = make_stencil(s.near_wall[n], image);
     });
 }

@@ -9,10 +9,11 @@
 
 namespace starling {
 
-/// A node beside the wall and the element its intercept search starts from.
+/// A node beside the wall and its boundary intercept, whose element the next search starts from.
 struct NearNode {
     std::int32_t i = 0, j = 0, k = 0;
-    ElementIndex element = 0;
+    bool searched = false; ///< the intercept belongs to the present wall
+    Intercept intercept;
 };
 
 /// What ghost nodes remember from one step to the next; part of a checkpoint.
@@ -63,7 +64,7 @@ private:
     template <class F>
     void for_neighbours(const NearNode& n, F f) const;
     void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
-    void search_all(const InterceptSearch& search, std::vector<NearNode>& nodes);
+    void search_missing(const InterceptSearch& search, std::vector<NearNode>& nodes);
     Index turn_over(GhostState& s);
     void rebuild(GhostState& s);
     void collect_ghosts(const GhostState& s);
