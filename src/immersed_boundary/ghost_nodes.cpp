@@ -22,7 +22,8 @@ bool same_node(const NearNode& a, const NearNode& b)
 GhostNodes::GhostNodes(const Grid& g, const Tube& tube, Location component,
                        std::vector<char> active_planes)
     : grid_(g), tube_(&tube), component_(component), active_planes_(std::move(active_planes)),
-      nodes_(g.unknowns(component)), mask_(g), plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
+      nodes_(g.unknowns(component)), mask_(g), index_(g),
+      plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
 {
 }
 
@@ -107,18 +108,64 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     ghost_index_.reserve(room);
     offsets_.reserve(room);
     stencils_.reserve(room);
+    suspect_.reserve(room);
     values_.reserve(room);
     update(search, s);
 }
 
-void GhostNodes::search_missing(const InterceptSearch& search, std::vector<NearNode>& nodes)
+void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s)
 {
-    NearNode* all = nodes.data();
-    for_range(0, static_cast<Index>(nodes.size()), [this, &search, all](Index n) {
+    NearNode* all = s.near_wall.data();
+    const auto nodes = static_cast<Index>(s.near_wall.size());
+    const auto index = index_.view();
+    for_range(0, nodes, [this, &search, all, index](Index n) {
         NearNode& node = all[n];
-        if (node.searched) return;
-        node.intercept = search.walk(position(node), node.intercept.element);
-        node.searched = true;
+        index(node.i, node.j, node.k) = static_cast<std::int32_t>(n);
+        if (!node.searched) node.intercept = search.walk(position(node), node.intercept.element);
+    });
+    suspect_.resize(s.near_wall.size());
+    char* suspect = suspect_.data();
+    for_range(0, nodes, [this, &s, all, suspect](Index n) {
+        suspect[n] = !all[n].searched && follows_another_wall(s, all[n]);
+        all[n].searched = true;
+    });
+    for (std::size_t n = 0; n < suspect_.size(); ++n)
+        if (suspect_[n]) search_from_neighbours(search, s, s.near_wall[n]);
+}
+
+template <class F>
+void GhostNodes::for_neighbours_across(const GhostState& s, const NearNode& n, F f) const
+{
+    const auto inside = s.inside.view();
+    const auto index = index_.view();
+    for_neighbours(n, [&](const NearNode& m) {
+        if (inside(m.i, m.j, m.k) != inside(n.i, n.j, n.k))
+            f(s.near_wall[static_cast<std::size_t>(index(m.i, m.j, m.k))]);
+    });
+}
+
+// A signed distance changes by at most the way gone: the distances of two neighbours on opposite
+// sides add up to at most their own. If not, one of them follows a wall that is not between them:
+// where a fold or a narrow channel moves sideways, an old intercept stays one while another part
+// of the wall comes nearer.
+bool GhostNodes::follows_another_wall(const GhostState& s, const NearNode& n) const
+{
+    constexpr Real tolerance = 1.01; // of the nearest points of neighbouring facets
+    bool suspicious = false;
+    for_neighbours_across(s, n, [&](const NearNode& m) {
+        suspicious |=
+            std::sqrt(n.intercept.squared_distance) + std::sqrt(m.intercept.squared_distance) >
+            tolerance * norm(position(m) - position(n));
+    });
+    return suspicious;
+}
+
+void GhostNodes::search_from_neighbours(const InterceptSearch& search, const GhostState& s,
+                                        NearNode& n)
+{
+    for_neighbours_across(s, n, [&](const NearNode& m) {
+        const Intercept other = search.walk(position(n), m.intercept.element);
+        if (other.squared_distance < n.intercept.squared_distance) n.intercept = other;
     });
 }
 
@@ -137,7 +184,7 @@ Index GhostNodes::turn_over(GhostState& s)
 }
 
 // Nodes next to a turned node may now touch the other side; their search starts where the turned
-// node's ended.
+// node's ended. Those already near the wall keep their own element but search again.
 void GhostNodes::rebuild(GhostState& s)
 {
     candidates_.clear();
@@ -146,12 +193,14 @@ void GhostNodes::rebuild(GhostState& s)
     std::sort(candidates_.begin(), candidates_.end(), [](const NearNode& a, const NearNode& b) {
         return same_node(a, b) ? a.intercept.element < b.intercept.element : in_memory_order(a, b);
     });
-    // old nodes come first among equals and keep their own intercept
+    // old nodes come first among equals
     const auto old = static_cast<std::ptrdiff_t>(candidates_.size());
     candidates_.insert(candidates_.end(), s.near_wall.begin(), s.near_wall.end());
     s.near_wall.resize(candidates_.size());
     std::merge(candidates_.begin() + old, candidates_.end(), candidates_.begin(),
                candidates_.begin() + old, s.near_wall.begin(), in_memory_order);
+    for (std::size_t n = 1; n < s.near_wall.size(); ++n)
+        if (same_node(s.near_wall[n - 1], s.near_wall[n])) s.near_wall[n - 1].searched = false;
     s.near_wall.erase(std::unique(s.near_wall.begin(), s.near_wall.end(), same_node),
                       s.near_wall.end());
     std::erase_if(s.near_wall, [&](const NearNode& n) { return !touches_other_side(s.inside, n); });
@@ -162,7 +211,7 @@ bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
     constexpr int most_sweeps = 8;
     for (NearNode& n : s.near_wall) n.searched = false;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        search_missing(search, s.near_wall);
+        search_missing(search, s);
         if (turn_over(s) == 0) {
             collect_ghosts(s);
             return true;

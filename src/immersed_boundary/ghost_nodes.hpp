@@ -29,8 +29,7 @@ struct GhostState {
 /// and has one of its six neighbours inside, on the grid of its own component.
 class GhostNodes {
 public:
-    /// Ghost nodes live on the planes i for which x_low <= x < x_high or x_low2 <= x < x_high2 ...
-    /// given as `active_planes`, one flag per plane.
+    /// Ghost nodes live on the planes i marked in `active_planes`, one flag per plane.
     GhostNodes(const Grid& g, const Tube& tube, Location component,
                std::vector<char> active_planes);
 
@@ -64,7 +63,11 @@ private:
     template <class F>
     void for_neighbours(const NearNode& n, F f) const;
     void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
-    void search_missing(const InterceptSearch& search, std::vector<NearNode>& nodes);
+    template <class F>
+    void for_neighbours_across(const GhostState& s, const NearNode& n, F f) const;
+    void search_missing(const InterceptSearch& search, GhostState& s);
+    bool follows_another_wall(const GhostState& s, const NearNode& n) const;
+    void search_from_neighbours(const InterceptSearch& search, const GhostState& s, NearNode& n);
     Index turn_over(GhostState& s);
     void rebuild(GhostState& s);
     void collect_ghosts(const GhostState& s);
@@ -77,7 +80,8 @@ private:
     Box nodes_;
 
     Field<std::uint8_t> mask_;
-    std::vector<Intercept> intercepts_; ///< of state.near_wall, same order
+    Field<std::int32_t> index_; ///< position of a node in near_wall
+    std::vector<char> suspect_; ///< per node of near_wall: may follow the wrong wall
     std::vector<NearNode> turned_, candidates_;
     std::vector<std::size_t> ghost_index_; ///< positions of the ghosts in near_wall
     std::vector<Index> offsets_, plane_begin_;
