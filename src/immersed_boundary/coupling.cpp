@@ -64,16 +64,13 @@ PrescribedVelocity Coupling::no_slip(const VectorField& u)
     return prescribed;
 }
 
-void Coupling::move(const VectorField& u, WallState& wall, Real dt) const
+void Coupling::follow(const VectorField& u, WallState& wall) const
 {
     if (guide_.follows_normal_velocity())
         transfer_.interpolate(Location::u, u[Location::u], wall.velocity);
     transfer_.interpolate(Location::v, u[Location::v], wall.velocity);
     transfer_.interpolate(Location::w, u[Location::w], wall.velocity);
     guide_.constrain_velocity(*tube_, *geometry_, wall.velocity);
-    Vec3* x = wall.x.data();
-    const Vec3* U = wall.velocity.data();
-    for_range(tube_->moving_begin(), tube_->moving_end(), [=](Index v) { x[v] += dt * U[v]; });
 }
 
 } // namespace starling

@@ -29,8 +29,8 @@ public:
     /// Ghost-node values from the present velocity. (44)
     PrescribedVelocity no_slip(const VectorField& u);
 
-    /// Moves the wall with the fluid's velocity for dt. (29), (30)
-    void move(const VectorField& u, WallState& wall, Real dt) const;
+    /// wall.velocity of the moving vertices = the fluid's velocity there, as the guide allows. (30)
+    void follow(const VectorField& u, WallState& wall) const;
 
     const GhostNodes& ghosts(Location c) const
     {

@@ -31,7 +31,7 @@ struct Simulation::Impl {
     explicit Impl(const Case& c)
         : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
           op(grid, tube, make_material(c.material, c.fluid.reynolds), c.fluid, c.drive,
-             c.coupling.scheme),
+             c.coupling.scheme, c.tube.mesh_filter),
           workspace(grid, tube), state(grid, tube),
           monitor(grid, tube, op.elastic, c.fluid.reynolds)
     {

@@ -28,7 +28,9 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.projection.project(s.fluid, dt); // P, u                (37)-(39)
     w.mark(Phase::pressure);
     // 4. The wall follows
-    op.coupling.move(s.fluid.u, s.wall, dt); // u_w, x              (29), (30)
+    op.coupling.follow(s.fluid.u, s.wall);                     // u_w                 (30), (35)
+    op.filter.add_velocity(s.wall, dt);                        // - waves the fluid cannot see
+    s.wall.move(op.tube, dt);                                  // x                   (29)
     w.mark(Phase::wall_motion);
     s.t += dt;
     ++s.step;

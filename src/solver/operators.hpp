@@ -5,6 +5,7 @@
 #include "flow/projection.hpp"
 #include "immersed_boundary/coupling.hpp"
 #include "wall/elastic_force.hpp"
+#include "wall/mesh_filter.hpp"
 
 namespace starling {
 
@@ -20,16 +21,20 @@ enum class Phase : std::size_t {
 
 /// Holds references to `tube`, which must outlive it.
 struct Operators {
+    const Tube& tube;
     Geometry geometry;
     ElasticForce elastic;
     Coupling coupling;
     Momentum momentum;
     Projection projection;
+    MeshFilter filter;
 
-    Operators(const Grid& g, const Tube& tube, const Material& material,
-              const FluidParameters& fluid, const DriveParameters& drive, CouplingScheme scheme)
-        : geometry(tube.mesh), elastic(tube, material), coupling(g, tube, geometry, scheme),
-          momentum(g, fluid), projection(g, fluid, drive)
+    Operators(const Grid& g, const Tube& tube_, const Material& material,
+              const FluidParameters& fluid, const DriveParameters& drive, CouplingScheme scheme,
+              Real filter_strength)
+        : tube(tube_), geometry(tube.mesh), elastic(tube, material),
+          coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
+          filter(tube, filter_strength)
     {
     }
     Operators(const Operators&) = delete;

@@ -15,6 +15,11 @@ struct WallState {
     {
         std::copy(tube.X.begin(), tube.X.end(), x.begin());
     }
+    /// x += dt velocity for the vertices that may move. (29)
+    void move(const Tube& tube, Real dt)
+    {
+        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) x[v] += dt * velocity[v];
+    }
 };
 
 } // namespace starling

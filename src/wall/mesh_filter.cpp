@@ -1,0 +1,52 @@
+#include "wall/mesh_filter.hpp"
+
+#include "core/for_each.hpp"
+
+namespace starling {
+
+MeshFilter::MeshFilter(const Tube& tube, Real strength)
+    : tube_(&tube), strength_(strength), begin_{0}, a_(static_cast<Index>(tube.X.size())),
+      b_(static_cast<Index>(tube.X.size()))
+{
+    for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
+        const WallMesh& mesh = tube.mesh;
+        // every neighbour of an inner vertex follows it in exactly one of its elements
+        for (const Corner* c = mesh.corners_begin(v); c != mesh.corners_end(v); ++c)
+            neighbours_.push_back(
+                mesh.element(c->element)[static_cast<std::size_t>((c->corner + 1) % 3)]);
+        begin_.push_back(neighbours_.size());
+    }
+}
+
+/// out = (L/1.5) in at the moving vertices; zero elsewhere.
+void MeshFilter::high_pass(const Array<Vec3>& in, Array<Vec3>& out) const
+{
+    const Index first = tube_->moving_begin();
+    const Vec3* from = in.data();
+    Vec3* to = out.data();
+    for_range(first, tube_->moving_end(), [this, first, from, to](Index v) {
+        const auto n = static_cast<std::size_t>(v - first);
+        Vec3 sum;
+        for (std::size_t m = begin_[n]; m < begin_[n + 1]; ++m) sum += from[neighbours_[m]];
+        const Real count = static_cast<Real>(begin_[n + 1] - begin_[n]);
+        to[v] = (1 / 1.5) * (from[v] - (1 / count) * sum);
+    });
+}
+
+void MeshFilter::add_velocity(WallState& wall, Real dt)
+{
+    const Index first = tube_->moving_begin(), last = tube_->moving_end();
+    const Vec3 *x = wall.x.data(), *X = tube_->X.data();
+    Vec3* d = a_.data();
+    for_range(first, last, [=](Index v) { d[v] = x[v] - X[v]; });
+    high_pass(a_, b_);
+    high_pass(b_, a_);
+    high_pass(a_, b_);
+    high_pass(b_, a_);
+    const Real rate = strength_ / dt;
+    const Vec3* Hd = a_.data();
+    Vec3* U = wall.velocity.data();
+    for_range(first, last, [=](Index v) { U[v] -= rate * Hd[v]; });
+}
+
+} // namespace starling
