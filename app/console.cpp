@@ -25,6 +25,17 @@ std::size_t terminal_width()
     return size.ws_col - 1u;
 }
 
+/// "0:45", "11:50" or "2h05" for lines that must be short.
+std::string clock_text(double seconds)
+{
+    if (!std::isfinite(seconds)) return "?";
+    const auto whole = std::llround(seconds);
+    if (whole < 3600) return fmt::format("{}:{:02}", whole / 60, whole % 60);
+    return fmt::format("{}h{:02}", whole / 3600, whole % 3600 / 60);
+}
+
+Real leak_percent(const Sample& s) { return s.Q_mid == 0 ? 0 : 100 * s.leak / s.Q_mid; }
+
 } // namespace
 
 bool QuietObserver::stop_requested() { return stop_signal_seen(); }
@@ -53,10 +64,12 @@ void ConsoleObserver::stepped(const Progress& progress)
     const auto now = Clock::now();
     if (now < next_) return;
     next_ = now + pause_;
-    std::string line =
-        progress_line(progress, fixed_step_ ? "fixed" : progress.limiting.name, scaling_);
+    const std::string limit = fixed_step_ ? "fixed" : progress.limiting.name;
+    std::string line = progress_line(progress, limit, scaling_);
     if (terminal_) {
-        line.resize(std::min(line.size(), terminal_width()));
+        const std::size_t width = terminal_width();
+        if (line.size() > width) line = short_progress_line(progress, limit, scaling_);
+        line.resize(std::min(line.size(), width));
         fmt::print("\r{}{}", line, clear_to_end_of_line);
         live_ = true;
     } else {
@@ -86,18 +99,29 @@ std::string progress_line(const Progress& p, const std::string& limit, const Sca
 {
     const Sample& s = p.last;
     const Real time = scaling.factor(Quantity::time), flow = scaling.factor(Quantity::flow_rate);
-    const Real leak = s.Q_mid == 0 ? 0 : 100 * s.leak / s.Q_mid;
     return fmt::format("step {}  t {:.4g}  dt {:.3g} ({})  CFL {:.2f}  Q {:.4g} > {:.4g}  "
                        "leak {:.2f} %  displacement {:.3g}  {:.1f} steps/s  {} left",
                        p.step, p.t * time, p.dt * time, limit, s.cfl, s.Q_in * flow, s.Q_out * flow,
-                       leak, s.largest_displacement * scaling.factor(Quantity::length),
+                       leak_percent(s), s.largest_displacement * scaling.factor(Quantity::length),
                        p.steps_per_second, duration_text(p.seconds_left));
+}
+
+std::string short_progress_line(const Progress& p, const std::string& limit, const Scaling& scaling)
+{
+    const Sample& s = p.last;
+    const Real time = scaling.factor(Quantity::time), flow = scaling.factor(Quantity::flow_rate);
+    return fmt::format("{} t {:.4g} dt {:.2g} {} CFL {:.2f} Q {:.3g}>{:.3g} leak {:.1f}% d {:.2g} "
+                       "{:.0f}/s {}",
+                       p.step, p.t * time, p.dt * time, limit.substr(0, limit.find(' ')), s.cfl,
+                       s.Q_in * flow, s.Q_out * flow, leak_percent(s),
+                       s.largest_displacement * scaling.factor(Quantity::length),
+                       p.steps_per_second, clock_text(p.seconds_left));
 }
 
 std::string duration_text(double seconds)
 {
     if (!std::isfinite(seconds)) return "?";
-    const auto whole = static_cast<long long>(std::llround(seconds));
+    const auto whole = std::llround(seconds);
     if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
     return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);

@@ -35,10 +35,14 @@ private:
     bool fixed_step_ = false; ///< the case gives dt; no limit sets it
 };
 
-/// The progress line: step, t, dt and the `limit` that sets it, CFL, flow, leak, displacement,
-/// speed, time left; numbers in the case's units.
+/// The progress line: step, t, dt and the `limit` that sets it, CFL, flow in and out, leak,
+/// displacement, speed, time left; numbers in the case's units.
 std::string progress_line(const Progress& progress, const std::string& limit,
                           const Scaling& scaling);
+
+/// The same in about 80 columns.
+std::string short_progress_line(const Progress& progress, const std::string& limit,
+                                const Scaling& scaling);
 
 /// "45 s", "3 min 20 s" or "2 h 05 min"; "?" for NaN.
 std::string duration_text(double seconds);

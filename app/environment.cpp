@@ -58,6 +58,7 @@ void run_python_tool(const std::string& name, const std::vector<std::string>& ar
     std::vector<std::string> words = {python, find_tool(name).string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     execv(python, argv.data());

@@ -9,7 +9,7 @@ namespace starling::hdf5 {
 
 namespace {
 
-constexpr hsize_t largest_chunk = 64 * 1024; ///< values; a chunk is compressed at once
+constexpr hsize_t largest_chunk = 65536; ///< values; a chunk is compressed at once
 constexpr unsigned deflate_level = 4;
 
 /// HDF5 reports through `Handle` and `check`, not on standard error.

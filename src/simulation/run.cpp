@@ -135,7 +135,7 @@ public:
             throw;
         }
         files_.finish(simulation_);
-        const Summary result = summary(*stop_.reason(), stop_.steady());
+        Summary result = summary(*stop_.reason(), stop_.steady());
         files_.summary(result);
         return result;
     }
