@@ -47,23 +47,43 @@ Monitor::Ring Monitor::ring_radius(const Array<Vec3>& x, Index ring) const
     return r;
 }
 
-// Distance between two vertices of a ring that face each other: the line between them leaves both
-// along their inner normals, to within about 18 degrees.
-Real Monitor::smallest_gap(const Array<Vec3>& x)
+// From each vertex of a ring along its inner normal to where the line leaves the lumen, if the wall
+// there faces the vertex to within about 18 degrees (else it is the end of a fold).
+Real Monitor::smallest_gap(const Array<Vec3>& x) const
+{
+    Real gap = std::numeric_limits<Real>::max();
+    const VertexIndex n = tube_->ring_size;
+    for (Index ring = 0; ring < tube_->rings(); ++ring) {
+        const Vec3* p = &x[tube_->first(ring)];
+        for (VertexIndex a = 0; a < n; ++a) gap = std::min(gap, lumen_width(p, n, a));
+    }
+    return gap;
+}
+
+Real Monitor::lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
 {
     constexpr Real aligned = 0.95;
-    Real gap = std::numeric_limits<Real>::max();
-    for (Index ring = 0; ring < tube_->rings(); ++ring)
-        for (VertexIndex a = tube_->first(ring); a < tube_->first(ring + 1); ++a)
-            for (VertexIndex b = a + 1; b < tube_->first(ring + 1); ++b) {
-                const Vec3 d = x[b] - x[a];
-                const Real distance = norm(d);
-                if (distance >= gap) continue;
-                if (dot(d, outward_normal(a)) < -aligned * distance &&
-                    dot(d, outward_normal(b)) > aligned * distance)
-                    gap = distance;
+    // corners run counter-clockwise in (y, z): the inside is on the left
+    const Vec3 along = p[(a + 1) % n] - p[(a + n - 1) % n];
+    const Vec3 d = (1 / norm(along)) * Vec3{0, -along.z, along.y};
+    const auto side = [&](const Vec3& q) { return d.y * (q.z - p[a].z) - d.z * (q.y - p[a].y); };
+    Real width = std::numeric_limits<Real>::max();
+    bool faces = false;
+    Real s = side(p[(a + 1) % n]);
+    for (VertexIndex m = 1; m + 1 < n; ++m) { // the sides that do not end in a
+        const Vec3 &b = p[(a + m) % n], &c = p[(a + m + 1) % n];
+        const Real t = side(c);
+        if ((s < 0) != (t < 0)) {
+            const Vec3 hit = b + s / (s - t) * (c - b) - p[a];
+            const Real distance = dot(hit, d);
+            if (distance > 0 && distance < width) {
+                width = distance;
+                faces = d.y * (c.z - b.z) - d.z * (c.y - b.y) > aligned * norm(c - b);
             }
-    return gap;
+        }
+        s = t;
+    }
+    return faces ? width : std::numeric_limits<Real>::max();
 }
 
 Vec3 Monitor::outward_normal(VertexIndex v) const

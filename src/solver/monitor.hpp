@@ -30,7 +30,10 @@ private:
         Real mean = 0, min = 0, max = 0;
     };
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
-    Real smallest_gap(const Array<Vec3>& x);
+    Real smallest_gap(const Array<Vec3>& x) const;
+    /// Width of the lumen of the polygon p of n corners, seen from corner a; huge if it does not
+    /// face another wall.
+    static Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a);
     Real kinetic_energy(const VectorField& u) const;
     Real volume_rate(const State& s);
     Real transmural_pressure(const State& s, VertexIndex v) const;
