@@ -146,6 +146,8 @@ std::vector<KeyRule> wall_keys()
          closed(0, 1000)},
         {"wall", "edge_over_spacing", number, "triangle edge over grid spacing", none,
          closed(0.2, 2)},
+        {"wall", "mesh_filter", number, "share of the shortest waves removed per step", none,
+         closed(0, 1)},
     };
 }
 

@@ -57,7 +57,7 @@ void read_grid(CaseValues& values, const Case& c, GridParameters& g)
 
 void read_numerics(CaseValues& values, Case& c)
 {
-    const std::string scheme = values.text("coupling.scheme", "reaction");
+    const std::string scheme = values.text("coupling.scheme", "conserving");
     if (scheme == "printed") c.coupling.scheme = CouplingScheme::printed;
     if (scheme == "reaction") c.coupling.scheme = CouplingScheme::reaction;
     if (scheme == "conserving") c.coupling.scheme = CouplingScheme::conserving;

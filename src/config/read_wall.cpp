@@ -21,6 +21,7 @@ void read_tube(CaseValues& values, TubeParameters& tube)
     values.fill("vessel.rigid_inlet", tube.rigid_inlet);
     values.fill("vessel.rigid_outlet", tube.rigid_outlet);
     values.fill("wall.edge_over_spacing", tube.edge_over_spacing);
+    values.fill("wall.mesh_filter", tube.mesh_filter);
 }
 
 void refuse_unused(CaseValues& values, std::string_view name, std::string_view law)

@@ -149,6 +149,7 @@ void write_wall(CaseWriter& w, const Case& c)
     if (m.law == ElasticLaw::mooney_rivlin) w.number("psi", m.psi);
     if (m.law == ElasticLaw::skalak) w.number("skalak_C", m.skalak_C);
     w.number("edge_over_spacing", c.tube.edge_over_spacing);
+    w.number("mesh_filter", c.tube.mesh_filter);
 }
 
 void write_grid(CaseWriter& w, const GridParameters& g)

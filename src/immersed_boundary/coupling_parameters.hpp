@@ -12,7 +12,7 @@ enum class CouplingScheme {
 };
 
 struct CouplingParameters {
-    CouplingScheme scheme = CouplingScheme::reaction;
+    CouplingScheme scheme = CouplingScheme::conserving;
 };
 
 } // namespace starling

@@ -10,7 +10,7 @@ namespace starling {
 /// A bound on the time step and what it comes from ("membrane stiffness", "advection", ...).
 struct TimeStepLimit {
     std::string name;
-    Real dt;
+    Real dt = 0;
 };
 
 /// The limits on dt for a case at largest speed u_max (U_c); the smallest binds. See

@@ -12,25 +12,27 @@ void initialise(State& s, Operators& op)
 bool advance(State& s, Operators& op, Workspace& w, Real dt)
 {
     w.timer.start();
+    // clang-format off
     // 1. What the wall does to the fluid
-    op.geometry.update(s.wall.x);      // n, areas
-    op.elastic.compute(s.wall.x, w.f); // f_e                 (3)-(5), (15), (17)
+    op.geometry.update(s.wall.x);                                     // n, areas
+    op.elastic.compute(s.wall.x, w.f);                                // f_e             (3)-(5), (15), (17)
     w.mark(Phase::wall_force);
-    if (!op.coupling.update(s.wall, s.ghosts)) return false; // GN, IE, BI, IP      sec. 2.6
+    if (!op.coupling.update(s.wall, s.ghosts)) return false;          // GN, IE, BI, IP  sec. 2.6
     w.mark(Phase::ghost_search);
-    op.coupling.spread(w.f, w.F); // F_x, F_y, F_z       (28), (35)
+    op.coupling.spread(w.f, w.F);                                     // F               (28), (35)
     w.mark(Phase::spread);
     // 2. Intermediate velocity
-    const PrescribedVelocity u_GN = op.coupling.no_slip(s.fluid.u); //                (32), (44)
-    op.momentum.predict(s.fluid, w.F, u_GN, dt);                    // u_hat               (36)
+    const PrescribedVelocity u_GN = op.coupling.no_slip(s.fluid.u);   // u_GN            (32), (44)
+    op.momentum.predict(s.fluid, w.F, u_GN, dt);                      // u_hat           (36)
     w.mark(Phase::momentum);
     // 3. Pressure
-    op.projection.project(s.fluid, dt); // P, u                (37)-(39)
+    op.projection.project(s.fluid, dt);                               // P, u            (37)-(39)
     w.mark(Phase::pressure);
     // 4. The wall follows
-    op.coupling.follow(s.fluid.u, s.wall);                     // u_w                 (30), (35)
-    op.filter.add_velocity(s.wall, dt);                        // - waves the fluid cannot see
-    s.wall.move(op.tube, dt);                                  // x                   (29)
+    op.coupling.follow(s.fluid.u, s.wall);                            // u_w             (30), (35)
+    op.filter.add_velocity(s.wall, dt);                               //   less the waves the fluid cannot see
+    s.wall.move(op.tube, dt);                                         // x               (29)
+    // clang-format on
     w.mark(Phase::wall_motion);
     s.t += dt;
     ++s.step;

@@ -218,7 +218,7 @@ NamedArray make_array(std::string name, Quantity quantity, int components, Index
     NamedArray a{std::move(name), quantity, components, {}};
     a.values.reserve(static_cast<std::size_t>(count * components));
     for (Index n = 0; n < count; ++n)
-        for (int c = 0; c < components; ++c) a.values.push_back(static_cast<float>(f(n, c)));
+        for (int c = 0; c < components; ++c) a.values.push_back(f(n, c));
     return a;
 }
 

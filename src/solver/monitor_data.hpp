@@ -43,7 +43,7 @@ struct NamedArray {
     std::string name;
     Quantity quantity = Quantity::none;
     int components = 1; ///< 1 scalar, 3 vector
-    std::vector<float> values;
+    std::vector<Real> values;
 };
 
 /// The wall at one time; positions change, triangles do not.

@@ -18,7 +18,8 @@ struct WallState {
     /// x += dt velocity for the vertices that may move. (29)
     void move(const Tube& tube, Real dt)
     {
-        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) x[v] += dt * velocity[v];
+        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v)
+            x[v] += dt * velocity[v];
     }
 };
 

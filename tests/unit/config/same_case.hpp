@@ -27,8 +27,9 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.tube.rigid_outlet,     c.tube.edge_over_spacing,
                    c.material.eps,          c.material.poisson_ratio,
                    c.material.psi,          c.material.skalak_C,
-                   c.time.safety,           c.scaling.length,
-                   c.scaling.velocity,      c.scaling.density})
+                   c.tube.mesh_filter,      c.time.safety,
+                   c.scaling.length,        c.scaling.velocity,
+                   c.scaling.density})
         real(x);
     for (const auto& x : {c.time.step, c.stop.end_time, c.stop.steady_tolerance, c.stop.wall_clock,
                           c.output.wall_every, c.output.fluid_every})
