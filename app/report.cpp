@@ -112,7 +112,10 @@ std::string files_text(const Case& c, const std::filesystem::path& directory)
 void add_numbers(Table& table, const Case& c, const RunEstimate& e)
 {
     table.line("Re", c.fluid.reynolds);
-    if (!c.tube.rigid) table.line("eps", c.material.eps);
+    if (!c.tube.rigid) {
+        table.line("eps", c.material.eps);
+        table.line("B", 0); // the wall is a membrane: it does not resist bending
+    }
     table.line("Delta P / Delta P_0", c.pressure_ratio());
     table.line("length of the tube", c.tube.length, Quantity::length);
     if (!c.tube.rigid) table.line("Moens-Korteweg wave speed", e.wave_speed, Quantity::velocity);

@@ -1,3 +1,3 @@
 starling_module(flow
-  SOURCES periodic_lines.cpp momentum.cpp poisson.cpp projection.cpp
+  SOURCES periodic_lines.cpp cosine_transform.cpp momentum.cpp poisson.cpp projection.cpp
   DEPENDS starling_grid starling_parallel PkgConfig::FFTW3)

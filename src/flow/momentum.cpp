@@ -23,7 +23,7 @@ struct ExplicitTerms {
     Laplacian laplacian;
     View<const Real> u, P;
     View<Real> N_before, rhs;
-    Real inv_h, inv_reynolds, dt, weight, weight_before;
+    Real inv_h = 0, inv_reynolds = 0, dt = 0, weight = 0, weight_before = 0;
 
     void operator()(Index n) const
     {

@@ -6,44 +6,28 @@
 
 namespace starling {
 
-/// FFTW plans of one x-plane. Planned by estimate: measured plans differ from run to run, and
-/// with them the last bits of the result.
+/// FFTW plans of the rows of one x-plane. Planned by estimate: measured plans differ from run to
+/// run, and with them the last bits of the result.
 struct Poisson::Plans {
     Plans(Index ny, Index nz, Real* plane)
     {
         const int n_y = static_cast<int>(ny), n_z = static_cast<int>(nz);
         const int half = n_z / 2 + 1;
         auto* spectrum = reinterpret_cast<fftw_complex*>(plane);
-        const unsigned flags = FFTW_ESTIMATE;
-        forward_z = fftw_plan_many_dft_r2c(1, &n_z, n_y, plane, nullptr, 1, 2 * half, spectrum,
-                                           nullptr, 1, half, flags);
-        backward_z = fftw_plan_many_dft_c2r(1, &n_z, n_y, spectrum, nullptr, 1, half, plane,
-                                            nullptr, 1, 2 * half, flags);
-        const fftw_r2r_kind cosine = FFTW_REDFT10, inverse = FFTW_REDFT01;
-        forward_y = fftw_plan_many_r2r(1, &n_y, 2 * half, plane, nullptr, 2 * half, 1, plane,
-                                       nullptr, 2 * half, 1, &cosine, flags);
-        backward_y = fftw_plan_many_r2r(1, &n_y, 2 * half, plane, nullptr, 2 * half, 1, plane,
-                                        nullptr, 2 * half, 1, &inverse, flags);
+        forward = fftw_plan_many_dft_r2c(1, &n_z, n_y, plane, nullptr, 1, 2 * half, spectrum,
+                                         nullptr, 1, half, FFTW_ESTIMATE);
+        backward = fftw_plan_many_dft_c2r(1, &n_z, n_y, spectrum, nullptr, 1, half, plane, nullptr,
+                                          1, 2 * half, FFTW_ESTIMATE);
     }
     ~Plans()
     {
-        for (fftw_plan p : {forward_z, backward_z, forward_y, backward_y}) fftw_destroy_plan(p);
+        fftw_destroy_plan(forward);
+        fftw_destroy_plan(backward);
     }
     Plans(const Plans&) = delete;
     Plans& operator=(const Plans&) = delete;
 
-    void forward(Real* plane) const
-    {
-        fftw_execute_dft_r2c(forward_z, plane, reinterpret_cast<fftw_complex*>(plane));
-        fftw_execute_r2r(forward_y, plane, plane);
-    }
-    void backward(Real* plane) const
-    {
-        fftw_execute_r2r(backward_y, plane, plane);
-        fftw_execute_dft_c2r(backward_z, reinterpret_cast<fftw_complex*>(plane), plane);
-    }
-
-    fftw_plan forward_z, backward_z, forward_y, backward_y;
+    fftw_plan forward, backward;
 };
 
 namespace {
@@ -60,14 +44,17 @@ Real second_difference(Real phase, Real h)
 Poisson::Poisson(const Grid& g)
     : grid_(g), cells_(g.unknowns(Location::cell)), row_(2 * (g.nz() / 2 + 1)),
       buffer_(g.nx() * g.ny() * row_), eigenvalues_y_(g.ny()), eigenvalues_z_(row_),
+      scratch_size_((g.ny() + 1) * row_), scratch_(scratch_size_ * max_threads()), cosine_(g.ny()),
       lines_(g.nx(), row_), plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
 {
     for (Index j = 0; j < g.ny(); ++j)
         eigenvalues_y_[j] =
             second_difference(pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
-    for (Index k = 0; k < row_; ++k)
+    for (Index k = 0; k < row_; ++k) {
+        const Index wave = k / 2; // real and imaginary part
         eigenvalues_z_[k] = second_difference(
-            2 * pi * static_cast<Real>(k / 2) / static_cast<Real>(g.nz()), g.spacing().z);
+            2 * pi * static_cast<Real>(wave) / static_cast<Real>(g.nz()), g.spacing().z);
+    }
 }
 
 Poisson::~Poisson() = default;
@@ -78,7 +65,14 @@ void Poisson::solve_buffer(ScalarField& phi)
 {
     const View<Real> buffer = buffer_view();
     const Plans* plans = plans_.get();
-    for_range(0, grid_.nx(), [=](Index i) { plans->forward(&buffer(i, 0, 0)); });
+    const CosineTransform* cosine = &cosine_;
+    Real* all_scratch = scratch_.data();
+    const Index row = row_, scratch_size = scratch_size_;
+    for_range(0, grid_.nx(), [=](Index i) {
+        Real* plane = &buffer(i, 0, 0);
+        fftw_execute_dft_r2c(plans->forward, plane, reinterpret_cast<fftw_complex*>(plane));
+        cosine->forward(plane, row, all_scratch + scratch_size * thread_number());
+    });
 
     const Real ax = 1 / (grid_.spacing().x * grid_.spacing().x);
     const Real *lambda_y = eigenvalues_y_.data(), *lambda_z = eigenvalues_z_.data();
@@ -93,9 +87,13 @@ void Poisson::solve_buffer(ScalarField& phi)
                      };
                  });
 
-    for_range(0, grid_.nx(), [=](Index i) { plans->backward(&buffer(i, 0, 0)); });
+    for_range(0, grid_.nx(), [=](Index i) {
+        Real* plane = &buffer(i, 0, 0);
+        cosine->backward(plane, row, all_scratch + scratch_size * thread_number());
+        fftw_execute_dft_c2r(plans->backward, reinterpret_cast<fftw_complex*>(plane), plane);
+    });
     const View<Real> f = phi.view();
-    const Real scale = 1 / static_cast<Real>(2 * grid_.ny() * grid_.nz());
+    const Real scale = 1 / static_cast<Real>(grid_.nz());
     for_each(cells_, [=](Index i, Index j, Index k) { f(i, j, k) = scale * buffer(i, j, k); });
     fill_increment_halo(grid_, phi);
 }

@@ -2,6 +2,7 @@
 /// Direct solver of the discrete Poisson equation of the pressure increment.
 #include <memory>
 
+#include "flow/cosine_transform.hpp"
 #include "grid/field.hpp"
 #include "parallel/x_lines.hpp"
 
@@ -38,6 +39,9 @@ private:
     Array<Real> buffer_;        ///< nx planes of ny rows of row_ values
     Array<Real> eigenvalues_y_; ///< of the second difference under the cosine transform
     Array<Real> eigenvalues_z_; ///< of the second difference in Fourier space, per stored real
+    Index scratch_size_;        ///< reals per thread
+    Array<Real> scratch_;
+    CosineTransform cosine_;
     XLines lines_;
     std::unique_ptr<Plans> plans_;
 };

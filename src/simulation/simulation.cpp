@@ -40,14 +40,14 @@ struct Simulation::Impl {
     }
 
     /// The fixed step, or the automatic one: it follows its limits down at once and up in jumps
-    /// of a quarter, so that it seldom changes.
+    /// of a tenth, so that it seldom changes.
     void choose_step(Real u_max)
     {
         limits = time_step_limits(description, grid.delta(), u_max);
         const Real allowed = smallest(limits).dt;
         if (description.time.step)
             state.dt = *description.time.step;
-        else if (state.dt == 0 || allowed < state.dt || allowed > 1.25 * state.dt)
+        else if (state.dt == 0 || allowed < state.dt || allowed > 1.1 * state.dt)
             state.dt = allowed;
     }
 

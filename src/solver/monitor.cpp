@@ -53,6 +53,7 @@ Real Monitor::smallest_gap(const Array<Vec3>& x) const
 {
     Real gap = std::numeric_limits<Real>::max();
     const VertexIndex n = tube_->ring_size;
+#pragma omp parallel for schedule(static) reduction(min : gap)
     for (Index ring = 0; ring < tube_->rings(); ++ring) {
         const Vec3* p = &x[tube_->first(ring)];
         for (VertexIndex a = 0; a < n; ++a) gap = std::min(gap, lumen_width(p, n, a));

@@ -109,7 +109,8 @@ void ElasticForce::gather(Array<Vec3>& f) const
 
 void ElasticForce::compute(const Array<Vec3>& x, Array<Vec3>& f)
 {
-    std::visit([&](const auto& law) { element_forces(x, StressFromTensions{law}); }, material_);
+    std::visit([&]<class Law>(const Law& law) { element_forces(x, StressFromTensions<Law>{law}); },
+               material_);
     gather(f);
 }
 

@@ -1,5 +1,6 @@
 starling_test(flow_unit unit
   SOURCES unit/flow/tridiagonal_test.cpp unit/flow/periodic_lines_test.cpp
+          unit/flow/cosine_transform_test.cpp
           unit/flow/diffusion_line_test.cpp unit/flow/poisson_test.cpp unit/flow/momentum_test.cpp
           unit/flow/projection_test.cpp unit/flow/fluid_step_test.cpp
   DEPENDS starling_flow)

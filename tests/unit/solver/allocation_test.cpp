@@ -16,14 +16,12 @@ namespace {
 std::atomic<long> allocations{0};
 
 /// Counts unless the caller is a library that allocates and frees in its own calls: OpenMP (a team
-/// of one thread) and FFTW (the buffer of a cosine transform).
+/// of one thread).
 void count(void* caller)
 {
     Dl_info info;
     const bool known = dladdr(caller, &info) != 0 && info.dli_fname != nullptr;
-    if (known &&
-        (std::strstr(info.dli_fname, "libgomp") || std::strstr(info.dli_fname, "libfftw3")))
-        return;
+    if (known && std::strstr(info.dli_fname, "libgomp")) return;
     ++allocations;
 }
 
