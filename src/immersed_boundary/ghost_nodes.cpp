@@ -126,15 +126,16 @@ void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s)
     suspect_.resize(s.near_wall.size());
     char* suspect = suspect_.data();
     for_range(0, nodes, [this, &s, all, suspect](Index n) {
-        suspect[n] = !all[n].searched && follows_another_wall(s, all[n]);
+        suspect[n] =
+            !all[n].searched && all[n].intercept.outside && follows_another_wall(s, all[n]);
         all[n].searched = true;
     });
     for (std::size_t n = 0; n < suspect_.size(); ++n)
-        if (suspect_[n]) search_from_neighbours(search, s, s.near_wall[n]);
+        if (suspect_[n]) search_from_each_other(search, s, s.near_wall[n]);
 }
 
-template <class F>
-void GhostNodes::for_neighbours_across(const GhostState& s, const NearNode& n, F f) const
+template <class Ghosts, class F>
+void GhostNodes::for_neighbours_across(Ghosts& s, const NearNode& n, F f) const
 {
     const auto inside = s.inside.view();
     const auto index = index_.view();
@@ -151,21 +152,27 @@ void GhostNodes::for_neighbours_across(const GhostState& s, const NearNode& n, F
 bool GhostNodes::follows_another_wall(const GhostState& s, const NearNode& n) const
 {
     constexpr Real tolerance = 1.01; // of the nearest points of neighbouring facets
+    const Real distance = std::sqrt(n.intercept.squared_distance);
+    const Vec3 h = grid_.spacing();
     bool suspicious = false;
     for_neighbours_across(s, n, [&](const NearNode& m) {
-        suspicious |=
-            std::sqrt(n.intercept.squared_distance) + std::sqrt(m.intercept.squared_distance) >
-            tolerance * norm(position(m) - position(n));
+        const Real apart = m.i != n.i ? h.x : m.j != n.j ? h.y : h.z;
+        const Real rest = tolerance * apart - distance;
+        suspicious |= rest < 0 || m.intercept.squared_distance > rest * rest;
     });
     return suspicious;
 }
 
-void GhostNodes::search_from_neighbours(const InterceptSearch& search, const GhostState& s,
-                                        NearNode& n)
+void GhostNodes::search_from_each_other(const InterceptSearch& search, GhostState& s, NearNode& n)
 {
-    for_neighbours_across(s, n, [&](const NearNode& m) {
-        const Intercept other = search.walk(position(n), m.intercept.element);
-        if (other.squared_distance < n.intercept.squared_distance) n.intercept = other;
+    const auto improve = [&](NearNode& node, ElementIndex start) {
+        const Intercept other = search.walk(position(node), start);
+        if (other.squared_distance < node.intercept.squared_distance) node.intercept = other;
+    };
+    for_neighbours_across(s, n, [&](NearNode& m) {
+        const ElementIndex from_n = n.intercept.element;
+        improve(n, m.intercept.element);
+        improve(m, from_n);
     });
 }
 
@@ -188,8 +195,10 @@ Index GhostNodes::turn_over(GhostState& s)
 void GhostNodes::rebuild(GhostState& s)
 {
     candidates_.clear();
-    for (const NearNode& n : turned_)
+    for (const NearNode& n : turned_) {
+        candidates_.push_back(n);
         for_neighbours(n, [&](const NearNode& m) { candidates_.push_back(m); });
+    }
     std::sort(candidates_.begin(), candidates_.end(), [](const NearNode& a, const NearNode& b) {
         return same_node(a, b) ? a.intercept.element < b.intercept.element : in_memory_order(a, b);
     });
@@ -203,7 +212,9 @@ void GhostNodes::rebuild(GhostState& s)
         if (same_node(s.near_wall[n - 1], s.near_wall[n])) s.near_wall[n - 1].searched = false;
     s.near_wall.erase(std::unique(s.near_wall.begin(), s.near_wall.end(), same_node),
                       s.near_wall.end());
-    std::erase_if(s.near_wall, [&](const NearNode& n) { return !touches_other_side(s.inside, n); });
+    std::erase_if(s.near_wall, [&](const NearNode& n) {
+        return !n.searched && !touches_other_side(s.inside, n);
+    });
 }
 
 bool GhostNodes::update(const InterceptSearch& search, GhostState& s)

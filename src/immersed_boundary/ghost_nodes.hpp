@@ -63,11 +63,11 @@ private:
     template <class F>
     void for_neighbours(const NearNode& n, F f) const;
     void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
-    template <class F>
-    void for_neighbours_across(const GhostState& s, const NearNode& n, F f) const;
+    template <class Ghosts, class F>
+    void for_neighbours_across(Ghosts& s, const NearNode& n, F f) const;
     void search_missing(const InterceptSearch& search, GhostState& s);
     bool follows_another_wall(const GhostState& s, const NearNode& n) const;
-    void search_from_neighbours(const InterceptSearch& search, const GhostState& s, NearNode& n);
+    void search_from_each_other(const InterceptSearch& search, GhostState& s, NearNode& n);
     Index turn_over(GhostState& s);
     void rebuild(GhostState& s);
     void collect_ghosts(const GhostState& s);

@@ -43,8 +43,7 @@ InterceptSearch::Nearest InterceptSearch::nearest_in(ElementIndex e, const Vec3&
 Intercept InterceptSearch::walk(const Vec3& p, ElementIndex start) const
 {
     Nearest here = nearest_in(start, p);
-    for (bool moved = true; moved && here.on != Nearest::On::face;) {
-        moved = false;
+    while (here.on != Nearest::On::face) {
         Nearest best = here;
         const auto consider = [&](ElementIndex e) {
             if (e < 0) return;
@@ -59,7 +58,7 @@ Intercept InterceptSearch::walk(const Vec3& p, ElementIndex start) const
             for (const Corner* c = mesh_->corners_begin(v); c != mesh_->corners_end(v); ++c)
                 consider(c->element);
         }
-        moved = best.element != here.element;
+        if (best.element == here.element) break;
         here = best;
     }
     return finish(here, p);

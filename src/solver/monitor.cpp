@@ -261,8 +261,8 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
         return elastic_->stretches(x, static_cast<ElementIndex>(e));
     };
     const auto tension = [&](Index e) {
-        const auto [l1, l2] = stretch(e);
-        return std::visit([&](const auto& law) { return law.tensions(l1, l2); },
+        const std::array<Real, 2> lambda = stretch(e);
+        return std::visit([&](const auto& law) { return law.tensions(lambda[0], lambda[1]); },
                           elastic_->material());
     };
     a.at_element.push_back(make_array("lambda1", Quantity::none, 1, elements,
