@@ -1,0 +1,237 @@
+"""The tables of docs/validation.md: each function writes one section from finished runs."""
+import cases
+import measures
+from measures import Q_0
+from report import percent
+from runs import sha256
+
+
+class Section:
+    """A section, its runs, and the words above its table."""
+
+    def __init__(self, name, title, runs, text, write):
+        self.name, self.title, self.runs, self.text, self.write = name, title, runs, text, write
+
+
+def steady(report, what, result):
+    """The cell that says when a run was steady; a run that was not fails a check."""
+    t = f"t = {result['t']:.3g}"
+    if result["converged"]:
+        return report.check(f"{what}: steady", True, t)
+    return report.check(f"{what}: steady", False, f"not steady: {result['reason'][:40]}, {t}")
+
+
+def rows(runs, get, width, row):
+    """One row for each (key, run); a run that was not made or broke down has no numbers."""
+    table = []
+    for key, run in runs.items():
+        result = get(run)
+        label = ", ".join(map(str, key)) if isinstance(key, tuple) else key
+        if result is None:
+            table.append([label, "not run"] + ["-"] * (width - 2))
+        elif result.broke_down:
+            table.append([label, "broke down"] + ["-"] * (width - 2))
+        else:
+            table.append(row(key, result))
+    return table
+
+
+def rigid(report, get):
+    finished = {d: [get(run) for run in runs] for d, runs in cases.RIGID.items()}
+    if not all(r for results in finished.values() for r in results):
+        return report.paragraph("Not run.")
+    errors = {d: [r["Q_mid"] / Q_0 - 1 for r in results] for d, results in finished.items()}
+    mean = {d: sum(e) / len(e) for d, e in errors.items()}
+    table = []
+    for d, e in errors.items():
+        cell = percent(mean[d])
+        if d == 0.1:
+            cell = report.at_most("mean error of Q at 0.1", mean[d], 0.01)
+        table.append([d, *map(percent, e), cell,
+                      ", ".join(f"{r['steps']}" for r in finished[d]),
+                      "yes" if all(r["converged"] for r in finished[d]) else "**no**"])
+    offsets = [f"Q error, offset {y}, {z}" for y, z in cases.OFFSETS]
+    report.table(["spacing", *offsets, "mean", "steps", "steady"], table)
+    d = list(mean)
+    measured = measures.order([mean[d[0]], mean[d[-1]]], [d[0], d[-1]])
+    report.paragraph(f"Order of the mean error from {d[0]} to {d[-1]}: "
+                     + report.at_least("order of Q over a factor of 3", measured, 1.8))
+
+
+RADIUS_LIMIT = {0.5: 0.01, 1: 0.01, 1.5: 0.015, 3: 0.025}
+
+
+def inflation(report, get):
+    def row(ratio, r):
+        case = f"ratio {ratio}"
+        return [ratio, f"{r['Q_mid_over_Q0']:.4f}", f"{r['R_max'] - 1:.4f}",
+                report.at_most(f"{case}: radius against Eq. (52)", measures.radius_deviation(r),
+                               RADIUS_LIMIT[ratio]),
+                report.at_most(f"{case}: R_max - 1", r.displacement_error, 0.03),
+                report.at_most(f"{case}: Q", r.flow_error, 0.03),
+                percent(r["leak_over_Q"]), steady(report, case, r), r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["ratio", "Q/Q_0", "R_max - 1", "radius against Eq. (52)", "R_max - 1 against 1-D",
+              "Q against 1-D", "leak/Q", "steady", "steps", "seconds"]
+    report.table(header, rows(cases.INFLATION, get, len(header), row))
+
+
+def displacement_table(report, get, runs, first):
+    def row(key, r):
+        case = f"{first} {key}"
+        return [key, f"{r['R_max'] - 1:.4f}", f"{r['theory']['R_max_1d'] - 1:.4f}",
+                report.at_most(f"{case}: R_max - 1", r.displacement_error, 0.05),
+                f"{r['Q_mid_over_Q0']:.3f}", percent(r.flow_error), percent(r["leak_over_Q"]),
+                steady(report, case, r), f"{r.spacing:.3f}", r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = [first, "R_max - 1", "1-D model", "difference", "Q/Q_0", "Q against 1-D", "leak/Q",
+              "steady", "spacing", "steps", "seconds"]
+    report.table(header, rows(runs, get, len(header), row))
+
+
+def deformability(report, get):
+    displacement_table(report, get, cases.DEFORMABILITY, "eps")
+
+
+def softening(report, get):
+    displacement_table(report, get, cases.SOFTENING, "ratio")
+
+
+def laws(report, get):
+    displacement_table(report, get, cases.LAWS, "law")
+    results = [get(run) for run in cases.LAWS.values()]
+    if not all(results):
+        return
+    R = [r["R_max"] for r in results]
+    report.paragraph("Order of the paper, from the largest to the smallest: " + report.check(
+        "order of the laws", R == sorted(R, reverse=True), " > ".join(cases.LAWS)))
+
+
+def refinement(report, get):
+    def row(_, r):
+        return [f"{r.spacing:.4f}", r["cells"], f"{r['Q_mid_over_Q0']:.4f}",
+                percent(r.flow_error), f"{r['R_max'] - 1:.5f}", percent(r.displacement_error),
+                percent(measures.radius_deviation(r)), percent(r["leak_over_Q"]),
+                steady(report, f"spacing {r.spacing:.3f}", r), r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["spacing", "cells", "Q/Q_0", "Q against 1-D", "R_max - 1", "R_max - 1 against 1-D",
+              "radius against Eq. (52)", "leak/Q", "steady", "steps", "seconds"]
+    report.table(header, rows(cases.REFINEMENT, get, len(header), row))
+    results = [r for r in map(get, cases.REFINEMENT.values()) if r and not r.broke_down][-3:]
+    if len(results) < 3:
+        return
+    h = [r.spacing for r in results]
+    one_d = results[0]["theory"]
+    for name, values, theory in (
+            ("Q/Q_0", [r["Q_mid_over_Q0"] for r in results], one_d["Q_1d"] / Q_0),
+            ("R_max - 1", [r["R_max"] - 1 for r in results], one_d["R_max_1d"] - 1)):
+        limit = measures.limit_of_second_order(values, h)
+        p = measures.observed_order(values, h)
+        report.paragraph(
+            f"{name}, three finest grids: limit of a second-order fit {limit:.4f} "
+            f"({percent(limit / theory - 1)} from the one-dimensional model's {theory:.4f}); "
+            + (f"observed order {p:.1f}." if p else "no single order fits them."))
+
+
+def threads(report, get):
+    results = [get(run) for run in cases.THREADS.values()]
+    if not all(results):
+        return report.paragraph("Not run.")
+    table = []
+    for name in ("series.csv", "profile.csv", "wall.h5", "fluid.h5"):
+        sums = [sha256(r.directory / name) for r in results]
+        same = report.check(f"{name} with 1 and 2 threads", sums[0] == sums[1],
+                            "same" if sums[0] == sums[1] else "differs")
+        table.append([f"`{name}`", *(f"`{s[:16]}`" for s in sums), same])
+    report.table(["file", "sha256, 1 thread", "sha256, 2 threads", ""], table)
+
+
+def schemes(report, get):
+    def row(key, r):
+        scheme, spacing = key
+        return [f"{scheme}, {spacing}", percent(r["leak_over_Q"]), percent(r.flow_error),
+                percent(r.displacement_error), percent(measures.radius_deviation(r)),
+                f"{r['R_max'] - 1:.4f}", steady(report, f"{scheme}, {spacing}", r), r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["scheme, spacing", "leak/Q", "Q against 1-D", "R_max - 1 against 1-D",
+              "radius against Eq. (52)", "R_max - 1", "steady", "steps", "seconds"]
+    report.table(header, rows(cases.SCHEMES, get, len(header), row))
+
+
+def filters(report, get):
+    reference = {ratio: get(cases.FILTERS[ratio, 0.5]) for ratio in (1, 3)}
+
+    def change(ratio, quantity):
+        base = reference[ratio]
+        return percent(quantity / base["Q_mid"] - 1, 3) if base and not base.broke_down else "-"
+
+    def row(key, r):
+        ratio, strength = key
+        said = f"t = {r['t']:.3g}" if r["converged"] else f"no: {r['reason'][:40]}"
+        return [f"{ratio}, {strength}", f"{r['Q_mid_over_Q0']:.5f}", change(ratio, r["Q_mid"]),
+                f"{r['R_max'] - 1:.5f}", percent(r["leak_over_Q"]),
+                f"{measures.zig_zag(r):.1e}", f"{measures.out_of_roundness(r):.1e}", said]
+
+    header = ["ratio, mesh_filter", "Q/Q_0", "Q against 0.5", "R_max - 1", "leak/Q", "zig-zag",
+              "out of roundness", "steady"]
+    report.table(header, rows(cases.FILTERS, get, len(header), row))
+
+
+def speed(report, get):
+    r = get(cases.INFLATION[1.5])
+    if r is None or r.broke_down:
+        return report.paragraph("Not run.")
+    phases = r["phase_seconds"]
+    whole = sum(phases.values())
+    rate = r["cell_steps_per_second"] / 1e6
+    search = phases["ghost search"] / whole
+    table = [[f"million cell-steps/s, {r['cells']} cells, {r['threads']} threads, files included",
+              report.at_least("speed", rate, 15)],
+             ["search of the ghost nodes, share of the step",
+              report.at_most("share of the search", search, 0.1, 1)]]
+    table += [[f"share of {name}", percent(seconds / whole, 1)]
+              for name, seconds in phases.items() if name != "ghost search"]
+    report.table(["of one run", "measured"], table)
+
+
+def values(runs):
+    return list(runs.values())
+
+
+SECTIONS = [
+    Section("rigid", "Rigid tube", [r for runs in cases.RIGID.values() for r in runs],
+            "Flow rate through a rigid tube at Re = 0.1 against pi/2. How the circle lies on the "
+            "grid moves the error, so it is averaged over three places of the axis, offset from "
+            "the middle of the box by the given parts of a spacing along y and z.", rigid),
+    Section("inflation", "Inflation", values(cases.INFLATION),
+            "Section 3.1 of the paper: L = 4 pi, rigid ends 1.18 and 0.39, box 4.7, Hooke, "
+            "nu = 0.5, eps = 0.02, spacing 0.1. \"Ratio\" is Delta P/Delta P_0. Radius: largest "
+            "deviation from Eq. (52) with the simulated pressure on the axis, from the largest "
+            "radius + 0.5 to the end of the deforming part - 0.5. \"1-D\" is the one-dimensional "
+            "model (docs/theory.md), whose own terms left out grow with the ratio. Leak: flow "
+            "through the wall over Q.", inflation),
+    Section("deformability", "Deformability, Fig. 6(d)", values(cases.DEFORMABILITY),
+            "Ratio 3, Hooke, spacing 0.1.", deformability),
+    Section("softening", "Large inflation of a neo-Hookean tube, Fig. 6(c)",
+            values(cases.SOFTENING),
+            "eps = 0.01. From ratio 3 on the box is 7.6 wide and the grid coarser.", softening),
+    Section("laws", "Four laws, Fig. 10", values(cases.LAWS), "Ratio 4, eps = 0.01.", laws),
+    Section("refinement", "Grid refinement at ratio 1", values(cases.REFINEMENT),
+            "As in the section on inflation, but with a rigid outlet of 0.4, which the coarsest "
+            "grid needs.", refinement),
+    Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
+            "200 steps at ratio 1.5, spacing 0.1.", threads),
+    Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),
+            "`coupling.scheme` (docs/case_file.md) at two spacings.", schemes),
+    Section("filter", "Filter of the mesh", values(cases.FILTERS),
+            "`wall.mesh_filter` at spacing 0.13. Zig-zag: largest amplitude of the wave of two "
+            "rings in the mean radius, away from the clamps. Out of roundness: largest "
+            "difference of the largest and the smallest radius of a ring.", filters),
+    Section("speed", "Speed", [cases.INFLATION[1.5]],
+            "The inflation at ratio 1.5. Meaningful only on a machine that does nothing else.",
+            speed),
+]
