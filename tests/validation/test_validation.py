@@ -1,0 +1,105 @@
+#!/usr/bin/python3
+"""Coarse runs against theory: what docs/validation.md shows on fine grids, in seconds.
+
+usage: test_validation.py PROGRAM SCENARIO
+
+Each bound is one and a half to two times the error that was measured (in the comment beside it):
+room for a change that moves the error a little, none for one that breaks a term. What is measured
+at these spacings is the error of the grid.
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import cases
+import measures
+from runs import SOURCE, Runner
+
+PROGRAM, SCENARIO = sys.argv[1:3]
+failures = []
+
+
+def result_of(run, directory):
+    runner = Runner(PROGRAM, directory, threads=1)
+    if runner.make([run]):
+        sys.exit(f"FAILED: {run.name} could not be run")
+    return measures.Result(pathlib.Path(directory) / run.name)
+
+
+def expect(what, value, low, high):
+    good = low <= value <= high
+    print(f"{'ok    ' if good else 'FAILED'} {what}: {value:.5f}, expected {low:g} to {high:g}")
+    if not good:
+        failures.append(what)
+
+
+def expect_steady(result):
+    if not result["converged"]:
+        sys.exit(f"FAILED: {result.directory.name}: {result['reason']}")
+
+
+def test_rigid(directory):
+    """Poiseuille's flow rate, and its order over a factor of two in the spacing."""
+    spacings = [0.2, 0.1]
+    results = [result_of(cases.rigid(d, 0), directory) for d in spacings]
+    for r in results:
+        expect_steady(r)
+    errors = [r["Q_mid"] / measures.Q_0 - 1 for r in results]
+    expect("error of Q at 0.2", errors[0], -0.055, 0.055)  # 0.036
+    expect("error of Q at 0.1", errors[1], -0.014, 0.014)  # 0.0094
+    expect("order of Q", measures.order(errors, spacings), 1.6, 3)  # 1.95; one offset only
+
+
+def test_inflation(directory):
+    """The main case at ratio 1 becomes steady and agrees with both theories."""
+    bounds = {  # Q and R_max - 1 against the 1-D model, radius against Eq. (52), leak
+        0.2: (0.06, 0.05, 0.003, 0.014),  # 0.034, 0.026, 0.0011, 0.0069
+        0.13: (0.025, 0.022, 0.003, 0.009),  # 0.013, 0.011, 0.0011, -0.0041
+    }
+    for spacing, (Q, R, R_52, leak) in bounds.items():
+        r = result_of(cases.inflation(1, spacing=spacing, end_time=25, tolerance=1e-3,
+                                      **cases.COARSE), directory)
+        expect_steady(r)
+        expect(f"spacing {spacing}: Q against the model", r.flow_error, -Q, Q)
+        expect("R_max - 1 against the model", r.displacement_error, -R, R)
+        expect("radius against Eq. (52)", measures.radius_deviation(r), 0, R_52)
+        expect("leak over Q", r["leak_over_Q"], -leak, leak)
+
+
+def test_laws(directory):
+    """The softer the law, the wider the tube: neo-Hookean > Mooney-Rivlin > Hooke > Skalak."""
+    coarse = dict(spacing=0.25, eps=0.01, vessel__rigid_outlet=0.55, end_time=15,
+                  tolerance=1e-3)
+    R = []
+    # measured: 0.123, 0.117, 0.071, 0.065
+    for law, bound in (("neo-hookean", 0.2), ("mooney-rivlin", 0.2), ("hooke", 0.14),
+                       ("skalak", 0.13)):
+        r = result_of(cases.inflation(2, law=law, **coarse), directory)
+        expect_steady(r)
+        expect(f"{law}: R_max - 1 against the model", r.displacement_error, 0, bound)
+        R.append(r["R_max"])
+    for first, second in zip(R, R[1:]):
+        expect("difference of neighbouring laws", first - second, 0.005, 1)
+
+
+def test_tool(directory):
+    """tools/validate makes every run and every table (coarse, four steps: the numbers are void),
+    makes none of them twice, and says with its exit code that checks do not hold."""
+    page = pathlib.Path(directory) / "page.md"
+    command = [sys.executable, str(SOURCE / "tools" / "validate"), "--binary", PROGRAM, "--out",
+               directory, "--threads", "1", "--quick", "--keep", "--write", str(page), "--only",
+               "rigid", "inflation", "laws", "refinement", "threads", "schemes", "filter", "speed"]
+    first = subprocess.run(command, capture_output=True, text=True, check=False)
+    again = subprocess.run(command, capture_output=True, text=True, check=False)
+    text = page.read_text(encoding="utf-8")
+    expect("exit code", first.returncode, 1, 1)
+    expect("runs made at first", first.stderr.count("after 4 steps"), 30, 60)
+    expect("runs kept", again.stderr.count(": kept") - again.stderr.count("\n"), 0, 0)
+    expect("rows without a run", text.lower().count("not run"), 0, 0)
+    expect("files of 1 and 2 threads that differ", text.count("differs"), 0, 0)
+
+
+with tempfile.TemporaryDirectory() as place:
+    globals()[f"test_{SCENARIO}"](place)
+sys.exit(1 if failures else 0)
