@@ -33,7 +33,7 @@ Real relaxation_time(const Case& c)
 
 Real steady_window(const Case& c)
 {
-    return c.tube.rigid ? 0.25 * c.fluid.reynolds : 0.25 * relaxation_time(c);
+    return c.tube.rigid ? c.fluid.reynolds : 0.25 * relaxation_time(c);
 }
 
 void SteadyCriterion::add(const Sample& sample)

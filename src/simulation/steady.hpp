@@ -12,7 +12,7 @@ namespace starling {
 Real relaxation_time(const Case& c);
 
 /// Time over which the criterion looks back: a quarter of the relaxation time of a compliant tube,
-/// 0.25 Re for a rigid one.
+/// Re for a rigid one.
 Real steady_window(const Case& c);
 
 /// Watches samples over a sliding window of time. Steady means, with tolerance tol:
