@@ -107,7 +107,7 @@ TEST(SteadyWindow, IsAQuarterOfTheRelaxationTime)
     EXPECT_DOUBLE_EQ(steady_window(c), 0.1);
     c.tube.rigid = true;
     c.fluid.reynolds = 4;
-    EXPECT_DOUBLE_EQ(steady_window(c), 1);
+    EXPECT_DOUBLE_EQ(steady_window(c), 4);
 }
 
 } // namespace
