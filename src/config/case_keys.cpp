@@ -146,8 +146,8 @@ std::vector<KeyRule> wall_keys()
          closed(0, 1000)},
         {"wall", "edge_over_spacing", number, "triangle edge over grid spacing", none,
          closed(0.2, 2)},
-        {"wall", "mesh_filter", number, "share of the shortest waves removed per step", none,
-         closed(0, 1)},
+        {"wall", "mesh_filter", number,
+         "rate of the filter of the shortest waves, in 1/(8 eps Delta)", none, closed(0, 1)},
     };
 }
 

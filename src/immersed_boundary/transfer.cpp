@@ -4,17 +4,6 @@ namespace starling {
 
 namespace {
 
-/// Weights of ring position x on nodes at x0 + h n, without the nodes outside (low, high).
-Stencil4 clipped_stencil(Kernel kernel, Real x, Real x0, Real h, Real low, Real high)
-{
-    Stencil4 s = delta_weights(kernel, (x - x0) / h);
-    for (int m = 0; m < 4; ++m) {
-        const Real node = x0 + h * (s.first + m);
-        if (node <= low || node >= high) s.weight[static_cast<std::size_t>(m)] = 0;
-    }
-    return s;
-}
-
 bool reaches(const Stencil4& s, Index plane)
 {
     const Index m = plane - s.first;
@@ -26,11 +15,10 @@ bool reaches(const Stencil4& s, Index plane)
 Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels)
     : grid_(g), tube_(&tube), kernels_(kernels), stencils_(static_cast<Index>(tube.X.size()))
 {
-    const Real low = tube.x_clamp_in(), high = tube.x_clamp_out(), h = g.spacing().x;
+    const Real h = g.spacing().x;
     for (Real x : tube.ring_x)
-        ring_stencils_.push_back(
-            {clipped_stencil(kernels.across, x, g.x(Location::cell, 0), h, low, high),
-             clipped_stencil(kernels.along, x, g.x(Location::u, 0), h, low, high)});
+        ring_stencils_.push_back({delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
+                                  delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h)});
     for (Location c : {Location::cell, Location::u}) {
         auto& reach = reach_[c == Location::u];
         reach.resize(static_cast<std::size_t>(g.nx() + 1));

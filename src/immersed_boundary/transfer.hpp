@@ -6,11 +6,13 @@
 
 namespace starling {
 
-/// The discrete delta function between the vertices that may move and the faces that lie in the
-/// deforming part, Eqs. (28) and (30). Both directions use the same weights, so that spreading is
-/// the adjoint of interpolation; stencils are cut off at the clamps, where ghost nodes take over
-/// (sec. 2.5). Results do not depend on the number of threads: every plane of the grid gathers from
-/// the rings in its reach in a fixed order.
+/// The discrete delta function between the vertices that may move and the faces of the grid,
+/// Eqs. (28) and (30). Both directions use the same weights, so that spreading is the adjoint of
+/// interpolation. Results do not depend on the number of threads: every plane of the grid gathers
+/// from the rings in its reach in a fixed order.
+/// Deviation: the paper spreads to nodes of the deforming part only (sec. 2.5). A stencil cut off
+/// at the clamp loses force and volume: behind the inlet clamp 3 % of the flow left the tube at
+/// Delta P/Delta P_0 = 3. Here the rings next to a clamp reach into the rigid part.
 class Transfer {
 public:
     Transfer(const Grid& g, const Tube& tube, KernelPair kernels);

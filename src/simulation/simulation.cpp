@@ -14,6 +14,12 @@ Tube make_tube(const Case& c, const Grid& g)
     return make_tube(c.tube, c.tube.edge_over_spacing * g.delta());
 }
 
+/// The filter works as fast as waves of the grid's scale relax, within about 8 eps Delta.
+Real filter_rate(const Case& c, Real delta)
+{
+    return c.tube.mesh_filter / (8 * c.material.eps * delta);
+}
+
 constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
 
 } // namespace
@@ -31,7 +37,7 @@ struct Simulation::Impl {
     explicit Impl(const Case& c)
         : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
           op(grid, tube, make_material(c.material, c.fluid.reynolds), c.fluid, c.drive,
-             c.coupling.scheme, c.tube.mesh_filter),
+             c.coupling.scheme, filter_rate(c, grid.delta())),
           workspace(grid, tube), state(grid, tube),
           monitor(grid, tube, op.elastic, c.fluid.reynolds)
     {

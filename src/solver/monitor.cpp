@@ -31,7 +31,7 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt)
 
 Monitor::Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Real reynolds)
     : grid_(g), tube_(&tube), elastic_(&elastic), inv_reynolds_(1 / reynolds), geometry_(tube.mesh),
-      section_flow_(g, tube)
+      before_(static_cast<Index>(tube.X.size())), section_flow_(g, tube)
 {
 }
 
@@ -110,13 +110,13 @@ Real Monitor::kinetic_energy(const VectorField& u) const
     return sum * grid_.cell_volume() / 2;
 }
 
-/// dV/dt = sum over vertices of area vector . velocity.
+/// dV/dt over the last step: exactly the change of the enclosed volume.
 Real Monitor::volume_rate(const State& s)
 {
-    Real sum = 0;
-    for (VertexIndex v = tube_->moving_begin(); v < tube_->moving_end(); ++v)
-        sum += dot(geometry_.vertex_area()[v], s.wall.velocity[v]);
-    return sum;
+    const Real dt = s.fluid.dt_before;
+    if (dt == 0) return 0;
+    for (Index v = 0; v < before_.size(); ++v) before_[v] = s.wall.x[v] - dt * s.wall.velocity[v];
+    return (enclosed_volume(*tube_, s.wall.x) - enclosed_volume(*tube_, before_)) / dt;
 }
 
 Sample Monitor::sample(const State& s)

@@ -45,6 +45,7 @@ private:
     const ElasticForce* elastic_;
     Real inv_reynolds_;
     Geometry geometry_;
+    Array<Vec3> before_; ///< positions before the last step
     SectionFlow section_flow_;
 };
 

@@ -31,10 +31,10 @@ struct Operators {
 
     Operators(const Grid& g, const Tube& tube_, const Material& material,
               const FluidParameters& fluid, const DriveParameters& drive, CouplingScheme scheme,
-              Real filter_strength)
+              Real filter_rate)
         : tube(tube_), geometry(tube.mesh), elastic(tube, material),
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
-          filter(tube, filter_strength)
+          filter(tube, filter_rate)
     {
     }
     Operators(const Operators&) = delete;

@@ -4,8 +4,8 @@
 
 namespace starling {
 
-MeshFilter::MeshFilter(const Tube& tube, Real strength)
-    : tube_(&tube), strength_(strength), begin_{0}, a_(static_cast<Index>(tube.X.size())),
+MeshFilter::MeshFilter(const Tube& tube, Real rate)
+    : tube_(&tube), rate_(rate), begin_{0}, a_(static_cast<Index>(tube.X.size())),
       b_(static_cast<Index>(tube.X.size()))
 {
     for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
@@ -43,7 +43,7 @@ void MeshFilter::add_velocity(WallState& wall, Real dt)
     high_pass(b_, a_);
     high_pass(a_, b_);
     high_pass(b_, a_);
-    const Real rate = strength_ / dt;
+    const Real rate = std::min(rate_, 1 / dt);
     const Vec3* Hd = a_.data();
     Vec3* U = wall.velocity.data();
     for_range(first, last, [=](Index v) { U[v] -= rate * Hd[v]; });

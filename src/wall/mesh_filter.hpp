@@ -13,16 +13,17 @@ namespace starling {
 /// do not move.
 class MeshFilter {
 public:
-    MeshFilter(const Tube& tube, Real strength);
+    /// `rate` is that of the shortest waves (1/time).
+    MeshFilter(const Tube& tube, Real rate);
 
-    /// Adds the velocity -strength H d / dt at the moving vertices.
+    /// Adds the velocity -rate H d at the moving vertices; a step dt removes at most all of H d.
     void add_velocity(WallState& wall, Real dt);
 
 private:
     void high_pass(const Array<Vec3>& in, Array<Vec3>& out) const;
 
     const Tube* tube_;
-    Real strength_;
+    Real rate_;
     std::vector<VertexIndex> neighbours_; ///< of the moving vertices
     std::vector<std::size_t> begin_;
     Array<Vec3> a_, b_;

@@ -11,7 +11,7 @@ struct TubeParameters {
     Real rigid_outlet = 0.39;      ///< length of the rigid outlet
     bool rigid = false;            ///< the whole tube is rigid (rigid_inlet, rigid_outlet unused)
     Real edge_over_spacing = 0.65; ///< triangle edge relative to the grid spacing
-    Real mesh_filter = 0.5; ///< share of the shortest waves of the wall removed per step, 0 to 1
+    Real mesh_filter = 1;          ///< rate of the filter of the shortest waves, in 1/(8 eps Delta)
 };
 
 enum class ElasticLaw { hooke, neo_hookean, mooney_rivlin, skalak };

@@ -72,7 +72,7 @@ TEST(WriteCase, WritesEveryDefault)
 {
     const std::string text = write_case(read_case_text(good_case, "good"));
     for (const char* line : {"theta = 1.0", "rigid = false", "edge_over_spacing = 0.65",
-                             "mesh_filter = 0.5", "tube_offset_y = 0.0", "step = \"auto\"",
+                             "mesh_filter = 1.0", "tube_offset_y = 0.0", "step = \"auto\"",
                              "safety = 1.0", "precision = \"single\"", "pressure_external = 0.0"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }

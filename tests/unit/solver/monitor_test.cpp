@@ -95,23 +95,15 @@ TEST_F(Monitored, KineticEnergyOfUniformFlow)
 }
 
 // The volume is a cubic in time while vertices move uniformly: Simpson's rule is exact.
-TEST_F(Monitored, VolumeRateIntegratesToTheVolume)
+TEST_F(Monitored, VolumeRateIsTheChangeOfVolumeOverTheStep)
 {
     ASSERT_TRUE(c.run(4));
-    const State before = c.s;
+    const Real before = monitor.sample(c.s).volume;
     ASSERT_TRUE(c.run(1));
-    const Sample end = monitor.sample(c.s);
-    const auto part_way = [&](Real part) {
-        State s = c.s;
-        for (Index v = 0; v < s.wall.x.size(); ++v)
-            s.wall.x[v] = before.wall.x[v] + part * c.s.dt * c.s.wall.velocity[v];
-        return monitor.sample(s);
-    };
-    const Sample begin = part_way(0), middle = part_way(0.5);
-    const Real change = end.volume - begin.volume;
-    EXPECT_GT(std::abs(change), 1e-4);
-    EXPECT_NEAR(change, c.s.dt / 6 * (begin.dV_dt + 4 * middle.dV_dt + end.dV_dt), 1e-12);
-    EXPECT_DOUBLE_EQ(end.leak, end.dV_dt - (end.Q_in - end.Q_out));
+    const Sample after = monitor.sample(c.s);
+    EXPECT_GT(std::abs(after.volume - before), 1e-4);
+    EXPECT_NEAR(after.dV_dt * c.s.fluid.dt_before, after.volume - before, 1e-12);
+    EXPECT_DOUBLE_EQ(after.leak, after.dV_dt - (after.Q_in - after.Q_out));
 }
 
 TEST_F(Monitored, SampleDoesNotChangeTheRun)

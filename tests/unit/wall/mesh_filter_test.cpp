@@ -7,7 +7,7 @@
 namespace starling {
 namespace {
 
-constexpr Real dt = 0.01, strength = 0.5;
+constexpr Real dt = 0.01, strength = 0.5; // share removed per step
 
 struct Filter : testing::Test {
     Tube tube = make_tube(support::short_tube(), 0.1);
@@ -27,7 +27,7 @@ struct Filter : testing::Test {
     Real change(Index margin = 1)
     {
         WallState moved = wall;
-        MeshFilter(tube, strength).add_velocity(moved, dt);
+        MeshFilter(tube, strength / dt).add_velocity(moved, dt);
         Real most = 0;
         const auto first = tube.first(tube.clamp_in + margin),
                    last = tube.first(tube.clamp_out - margin + 1);
@@ -78,7 +78,7 @@ TEST_F(Filter, NeverOvershoots)
         }
         return sum;
     };
-    MeshFilter filter(tube, 1);
+    MeshFilter filter(tube, 1 / dt);
     for (int n = 0; n < 5; ++n) {
         const Real before = energy(wall);
         wall.velocity.fill({});
@@ -91,7 +91,7 @@ TEST_F(Filter, NeverOvershoots)
 TEST_F(Filter, NeverMovesTheRigidParts)
 {
     support::shake(tube, wall.x, 0.05);
-    MeshFilter(tube, strength).add_velocity(wall, dt);
+    MeshFilter(tube, strength / dt).add_velocity(wall, dt);
     for (VertexIndex v = 0; v < tube.mesh.vertex_count(); ++v)
         if (v < tube.moving_begin() || v >= tube.moving_end()) {
             EXPECT_EQ(wall.velocity[v], Vec3{});
@@ -101,7 +101,7 @@ TEST_F(Filter, NeverMovesTheRigidParts)
 TEST_F(Filter, KeepsVerticesAtTheirX)
 {
     wall.x = support::positions(tube, support::random_smooth(1, 0.4));
-    MeshFilter(tube, strength).add_velocity(wall, dt);
+    MeshFilter(tube, strength / dt).add_velocity(wall, dt);
     for (const Vec3& U : wall.velocity) EXPECT_EQ(U.x, 0);
 }
 
