@@ -1,6 +1,9 @@
 #pragma once
 /// The advection-diffusion step: intermediate velocity u_hat.
+#include <vector>
+
 #include "flow/fluid_state.hpp"
+#include "flow/periodic_lines.hpp"
 #include "flow/prescribed.hpp"
 #include "parallel/x_lines.hpp"
 
@@ -28,10 +31,15 @@ private:
     void x_solve_and_add(ScalarField& u, ScalarField& increment, const PrescribedNodes& prescribed,
                          Real dt);
 
+    void find_free_rows(const PrescribedNodes& prescribed);
+
     Grid grid_;
     Real inv_reynolds_, theta_;
     XLines lines_;
-    Index plane_scratch_; ///< reals per thread
+    PeriodicLines line_z_;
+    EliminatedLine free_line_x_, free_line_y_; ///< lines without prescribed nodes
+    std::vector<char> row_is_free_;            ///< rows j with no prescribed node in any plane
+    Index plane_scratch_;                      ///< reals per thread
     Array<Real> scratch_;
 };
 

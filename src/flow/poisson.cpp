@@ -42,10 +42,10 @@ Real second_difference(Real phase, Real h)
 } // namespace
 
 Poisson::Poisson(const Grid& g)
-    : grid_(g), cells_(g.unknowns(Location::cell)), row_(2 * (g.nz() / 2 + 1)),
-      buffer_(g.nx() * g.ny() * row_), eigenvalues_y_(g.ny()), eigenvalues_z_(row_),
-      scratch_size_((g.ny() + 1) * row_), scratch_(scratch_size_ * max_threads()), cosine_(g.ny()),
-      lines_(g.nx(), row_), plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
+    : grid_(g), row_(2 * (g.nz() / 2 + 1)), buffer_(g.nx() * g.ny() * row_), eigenvalues_y_(g.ny()),
+      eigenvalues_z_(row_), scratch_size_((g.ny() + 1) * row_),
+      scratch_(scratch_size_ * max_threads()), cosine_(g.ny()), lines_(g.nx(), row_),
+      plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
 {
     for (Index j = 0; j < g.ny(); ++j)
         eigenvalues_y_[j] =
@@ -61,19 +61,21 @@ Poisson::~Poisson() = default;
 
 View<Real> Poisson::buffer_view() { return {buffer_.data(), grid_.ny() * row_, row_}; }
 
-void Poisson::solve_buffer(ScalarField& phi)
+void Poisson::transform_forward(Real* plane)
+{
+    fftw_execute_dft_r2c(plans_->forward, plane, reinterpret_cast<fftw_complex*>(plane));
+    cosine_.forward(plane, row_, scratch_.data() + scratch_size_ * thread_number());
+}
+
+void Poisson::transform_backward(Real* plane)
+{
+    cosine_.backward(plane, row_, scratch_.data() + scratch_size_ * thread_number());
+    fftw_execute_dft_c2r(plans_->backward, reinterpret_cast<fftw_complex*>(plane), plane);
+}
+
+void Poisson::solve_transformed(ScalarField& phi)
 {
     const View<Real> buffer = buffer_view();
-    const Plans* plans = plans_.get();
-    const CosineTransform* cosine = &cosine_;
-    Real* all_scratch = scratch_.data();
-    const Index row = row_, scratch_size = scratch_size_;
-    for_range(0, grid_.nx(), [=](Index i) {
-        Real* plane = &buffer(i, 0, 0);
-        fftw_execute_dft_r2c(plans->forward, plane, reinterpret_cast<fftw_complex*>(plane));
-        cosine->forward(plane, row, all_scratch + scratch_size * thread_number());
-    });
-
     const Real ax = 1 / (grid_.spacing().x * grid_.spacing().x);
     const Real *lambda_y = eigenvalues_y_.data(), *lambda_z = eigenvalues_z_.data();
     const Index last = grid_.nx() - 1;
@@ -87,14 +89,18 @@ void Poisson::solve_buffer(ScalarField& phi)
                      };
                  });
 
-    for_range(0, grid_.nx(), [=](Index i) {
-        Real* plane = &buffer(i, 0, 0);
-        cosine->backward(plane, row, all_scratch + scratch_size * thread_number());
-        fftw_execute_dft_c2r(plans->backward, reinterpret_cast<fftw_complex*>(plane), plane);
-    });
     const View<Real> f = phi.view();
-    const Real scale = 1 / static_cast<Real>(grid_.nz());
-    for_each(cells_, [=](Index i, Index j, Index k) { f(i, j, k) = scale * buffer(i, j, k); });
+    const Index ny = grid_.ny(), nz = grid_.nz();
+    const Real scale = 1 / static_cast<Real>(nz);
+    for_range(0, grid_.nx(), [=, this](Index i) {
+        transform_backward(&buffer(i, 0, 0));
+        for (Index j = 0; j < ny; ++j) {
+            Real* row = &f(i, j, 0);
+            const Real* from = &buffer(i, j, 0);
+#pragma omp simd
+            for (Index k = 0; k < nz; ++k) row[k] = scale * from[k];
+        }
+    });
     fill_increment_halo(grid_, phi);
 }
 

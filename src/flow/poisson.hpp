@@ -24,17 +24,27 @@ public:
     void solve(Rhs rhs, ScalarField& phi)
     {
         const View<Real> buffer = buffer_view();
-        for_each(cells_, [=](Index i, Index j, Index k) { buffer(i, j, k) = rhs(i, j, k); });
-        solve_buffer(phi);
+        const Index ny = grid_.ny(), nz = grid_.nz();
+        for_range(0, grid_.nx(), [=, this](Index i) {
+            const Rhs plane_rhs = rhs; // local, so that the loop vectorises
+            for (Index j = 0; j < ny; ++j) {
+                Real* row = &buffer(i, j, 0);
+#pragma omp simd
+                for (Index k = 0; k < nz; ++k) row[k] = plane_rhs(i, j, k);
+            }
+            transform_forward(&buffer(i, 0, 0));
+        });
+        solve_transformed(phi);
     }
 
 private:
     struct Plans;
     View<Real> buffer_view();
-    void solve_buffer(ScalarField& phi);
+    void transform_forward(Real* plane);
+    void transform_backward(Real* plane);
+    void solve_transformed(ScalarField& phi);
 
     Grid grid_;
-    Box cells_;
     Index row_;                 ///< reals per transformed row: 2 (nz/2 + 1)
     Array<Real> buffer_;        ///< nx planes of ny rows of row_ values
     Array<Real> eigenvalues_y_; ///< of the second difference under the cosine transform

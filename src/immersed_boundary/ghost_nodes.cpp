@@ -110,28 +110,41 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     stencils_.reserve(room);
     suspect_.reserve(room);
     values_.reserve(room);
+    beside_rigid_wall_.assign(active_planes_.size(), 0); // search everywhere once
     update(search, s);
+    const Real reach = 3 * std::max({grid_.spacing().x, grid_.spacing().y, grid_.spacing().z});
+    for (Index i = nodes_.begin[0]; i < nodes_.end[0]; ++i)
+        beside_rigid_wall_[static_cast<std::size_t>(i)] =
+            grid_.x(component_, i) < tube_->x_clamp_in() - reach ||
+            grid_.x(component_, i) > tube_->x_clamp_out() + reach;
 }
 
-void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s)
+void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s, bool most)
 {
     NearNode* all = s.near_wall.data();
     const auto nodes = static_cast<Index>(s.near_wall.size());
     const auto index = index_.view();
-    for_range(0, nodes, [this, &search, all, index](Index n) {
+    const auto for_all = [=](auto f) { // a few nodes are not worth waking threads for
+        if (most)
+            for_range(0, nodes, f);
+        else
+            for (Index n = 0; n < nodes; ++n) f(n);
+    };
+    for_all([this, &search, all, index](Index n) {
         NearNode& node = all[n];
         index(node.i, node.j, node.k) = static_cast<std::int32_t>(n);
         if (!node.searched) node.intercept = search.walk(position(node), node.intercept.element);
     });
     suspect_.resize(s.near_wall.size());
     char* suspect = suspect_.data();
-    for_range(0, nodes, [this, &s, all, suspect](Index n) {
+    for_all([this, &s, all, suspect](Index n) {
         suspect[n] =
             !all[n].searched && all[n].intercept.outside && follows_another_wall(s, all[n]);
-        all[n].searched = true;
     });
-    for (std::size_t n = 0; n < suspect_.size(); ++n)
+    for (std::size_t n = 0; n < suspect_.size(); ++n) {
         if (suspect_[n]) search_from_each_other(search, s, s.near_wall[n]);
+        all[n].searched = true;
+    }
 }
 
 template <class Ghosts, class F>
@@ -220,9 +233,9 @@ void GhostNodes::rebuild(GhostState& s)
 bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
 {
     constexpr int most_sweeps = 8;
-    for (NearNode& n : s.near_wall) n.searched = false;
+    for (NearNode& n : s.near_wall) n.searched = beside_rigid_wall_[static_cast<std::size_t>(n.i)];
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        search_missing(search, s);
+        search_missing(search, s, sweep == 0);
         if (turn_over(s) == 0) {
             collect_ghosts(s);
             return true;

@@ -65,7 +65,7 @@ private:
     void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
     template <class Ghosts, class F>
     void for_neighbours_across(Ghosts& s, const NearNode& n, F f) const;
-    void search_missing(const InterceptSearch& search, GhostState& s);
+    void search_missing(const InterceptSearch& search, GhostState& s, bool most);
     bool follows_another_wall(const GhostState& s, const NearNode& n) const;
     void search_from_each_other(const InterceptSearch& search, GhostState& s, NearNode& n);
     Index turn_over(GhostState& s);
@@ -77,6 +77,7 @@ private:
     const Tube* tube_;
     Location component_;
     std::vector<char> active_planes_;
+    std::vector<char> beside_rigid_wall_; ///< planes whose intercepts never change
     Box nodes_;
 
     Field<std::uint8_t> mask_;

@@ -1,5 +1,6 @@
 #pragma once
 /// Tridiagonal solves of many lines at once: the Thomas algorithm, vectorised across the lines.
+#include "core/array.hpp"
 #include "core/types.hpp"
 
 namespace starling {
@@ -46,5 +47,50 @@ void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, R
         for (Index k = 0; k < width; ++k) x_m[k] -= c_m[k] * x_after[k];
     }
 }
+
+/// One tridiagonal matrix, eliminated once, for any number of lines that share it. The arithmetic
+/// is that of `solve_lines`, so both give the same bits.
+class EliminatedLine {
+public:
+    /// Room for up to `n` unknowns.
+    explicit EliminatedLine(Index n) : lower_(n), inverse_(n), upper_(n) {}
+
+    /// Eliminates the matrix whose row m is row(m), m < n.
+    template <class Row>
+    void set(Index n, Row row)
+    {
+        n_ = n;
+        for (Index m = 0; m < n; ++m) {
+            const TridiagonalRow r = row(m);
+            lower_[m] = r.lower;
+            inverse_[m] = 1 / (m == 0 ? r.diagonal : r.diagonal - r.lower * upper_[m - 1]);
+            upper_[m] = r.upper * inverse_[m];
+        }
+    }
+
+    /// Solves `width` lines in place; unknown m of line k is x[m * stride + k].
+    void solve(Real* x, Index stride, Index width) const
+    {
+        for (Index k = 0; k < width; ++k) x[k] *= inverse_[0];
+        for (Index m = 1; m < n_; ++m) {
+            Real* x_m = x + m * stride;
+            const Real* x_before = x_m - stride;
+            const Real lower = lower_[m], inverse = inverse_[m];
+#pragma omp simd
+            for (Index k = 0; k < width; ++k) x_m[k] = (x_m[k] - lower * x_before[k]) * inverse;
+        }
+        for (Index m = n_ - 2; m >= 0; --m) {
+            Real* x_m = x + m * stride;
+            const Real* x_after = x_m + stride;
+            const Real upper = upper_[m];
+#pragma omp simd
+            for (Index k = 0; k < width; ++k) x_m[k] -= upper * x_after[k];
+        }
+    }
+
+private:
+    Index n_ = 0;
+    Array<Real> lower_, inverse_, upper_;
+};
 
 } // namespace starling

@@ -18,13 +18,21 @@ public:
     void solve(Real* data, Index stride_x, Index stride_y, Index planes, std::array<Index, 2> rows,
                Index width, Rows rows_of)
     {
-        Real* scratch = scratch_.data();
-        const Index size = size_;
-        for_range(rows[0], rows[1], [=](Index j) {
+        for_rows(rows, [=](Index j, Real* scratch) {
             solve_lines(
                 data + j * stride_y, stride_x, planes, width,
-                [=](Index i) { return rows_of(i, j); }, scratch + size * thread_number());
+                [=](Index i) { return rows_of(i, j); }, scratch);
         });
+    }
+
+    /// Calls solve_row(j, scratch) for the rows, each thread with its own scratch.
+    template <class SolveRow>
+    void for_rows(std::array<Index, 2> rows, SolveRow solve_row)
+    {
+        Real* scratch = scratch_.data();
+        const Index size = size_;
+        for_range(rows[0], rows[1],
+                  [=](Index j) { solve_row(j, scratch + size * thread_number()); });
     }
 
 private:
