@@ -51,7 +51,7 @@ DEFORMABILITY = {eps: inflation(3, eps=eps) for eps in (0.005, 0.01, 0.02)}
 
 # Soft laws at large inflation need a wider box, and relax slowly: a factor of e takes 5 to 6 at
 # ratio 4, against a window of 0.16, so that the tolerance leaves an error of 1 % in R_max - 1.
-WIDE = dict(spacing=0.13, width=7.6, end_time=45, tolerance=3e-4)
+WIDE = dict(spacing=0.15, width=7.6, end_time=45, tolerance=3e-4)
 SOFTENING = {2.5: inflation(2.5, law="neo-hookean", eps=0.01, end_time=20)}
 SOFTENING |= {r: inflation(r, law="neo-hookean", eps=0.01, **WIDE) for r in (3, 3.5, 4)}
 
