@@ -10,7 +10,7 @@ namespace starling {
 struct GridParameters {
     Real width_y = 4.7; ///< box width between the no-slip walls
     Real width_z = 4.7; ///< box period
-    Real spacing = 0.1; ///< wanted Delta; counts are rounded to products of 2, 3 and 5
+    Real spacing = 0.1; ///< wanted Delta; counts across the tube become products of 2, 3 and 5
     std::optional<std::array<Index, 3>> cells; ///< exact counts instead (nx, ny, nz)
     Real tube_offset_y = 0;                    ///< tube axis relative to the box centre
     Real tube_offset_z = 0;

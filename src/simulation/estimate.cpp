@@ -15,8 +15,8 @@ namespace starling {
 
 namespace {
 
-constexpr Real bytes_per_cell = 150;
-constexpr Real bytes_per_vertex = 1000;
+constexpr Real bytes_per_cell = 230;
+constexpr Real bytes_per_vertex = 1500;
 constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
 
 /// Speed on the axis where it is largest: Poiseuille flow in the rigid ends.
