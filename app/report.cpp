@@ -29,7 +29,11 @@ public:
     std::string number(Real value, Quantity quantity) const
     {
         const std::string unit = quantity == Quantity::none ? "" : " " + scaling_.unit(quantity);
-        return fmt::format("{:.5g}{}", value * scaling_.factor(quantity), unit);
+        return bare_number(value, quantity) + unit;
+    }
+    std::string bare_number(Real value, Quantity quantity) const
+    {
+        return fmt::format("{:.5g}", value * scaling_.factor(quantity));
     }
     const std::string& text() const { return text_; }
 
@@ -56,8 +60,8 @@ void add_results(Table& table, const Summary& s)
 {
     const Sample& last = s.last;
     table.line("flow rate in, middle, out",
-               fmt::format("{}, {}, {}", table.number(last.Q_in, Quantity::none),
-                           table.number(last.Q_mid, Quantity::none),
+               fmt::format("{}, {}, {}", table.bare_number(last.Q_in, Quantity::flow_rate),
+                           table.bare_number(last.Q_mid, Quantity::flow_rate),
                            table.number(last.Q_out, Quantity::flow_rate)));
     table.line("flow rate over undeformed tube's", s.Q_mid_over_Q0());
     table.line("leak through the wall", fmt::format("{:.2f} % of the flow", 100 * s.leak_over_Q()));

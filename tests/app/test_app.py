@@ -161,6 +161,19 @@ def check_tables(out):
         expect(f"`{key}`" in document, key, "is not in docs/results.md")
 
 
+def test_si_units(directory):
+    out = directory / "out"
+    result = starling("run", SOURCE / "cases" / "microchannel_si.toml", "--out", out,
+                      "--set", "grid.spacing=0.1 mm", "--set", "stop.steps=5")
+    expect_exit(result, 0)
+    printed = re.search(r"flow rate in, middle, out +(\S+), (\S+), (\S+) m\^3/s", result.stdout)
+    expect(printed, result.stdout)
+    summary = json.loads((out / "summary.json").read_text())
+    for value, key in zip(printed.groups(), ("Q_in", "Q_mid", "Q_out")):
+        expect(abs(float(value) - summary[key]) <= 1e-4 * abs(summary[key]), key, value,
+               summary[key])
+
+
 def test_refusal(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--out", out), 0)
