@@ -44,7 +44,12 @@ const std::vector<Real>& CrossSection::crossings(Real y)
     for (std::size_t m = 0; m < points_.size(); ++m) {
         const Point2 &a = points_[m], &b = points_[(m + 1) % points_.size()];
         if ((a.y <= y) == (b.y <= y)) continue;
-        crossings_.push_back(a.z + (y - a.y) / (b.y - a.y) * (b.z - a.z));
+        const Real z = a.z + (y - a.y) / (b.y - a.y) * (b.z - a.z);
+        if (!std::isfinite(z)) { // has no place in an order
+            crossings_.clear();
+            return crossings_;
+        }
+        crossings_.push_back(z);
     }
     std::sort(crossings_.begin(), crossings_.end());
     return crossings_;

@@ -25,7 +25,8 @@ public:
     /// Enclosed area, positive for a wall whose normals point outwards.
     Real area() const;
     /// z where the polygon crosses the line of constant y, ascending; inside lies between
-    /// neighbours 0-1, 2-3, ... Valid until the next call.
+    /// neighbours 0-1, 2-3, ... None if one is not finite: such a wall has no inside. Valid until
+    /// the next call.
     const std::vector<Real>& crossings(Real y);
 
 private:

@@ -88,5 +88,17 @@ TEST_F(Section, CrossingsBoundTheInside)
     EXPECT_EQ(most, 4u) << "the shape should not be convex";
 }
 
+TEST_F(Section, CrossingsOfAWallThatIsNotFiniteAreNone)
+{
+    for (const Real bad : {std::nan(""), HUGE_VAL}) {
+        x = support::positions(tube, support::random_smooth(2, 0.3));
+        section.cut(x, 2.1);
+        ASSERT_EQ(section.crossings(0).size(), 2U);
+        for (VertexIndex v = 0; v < x.size(); ++v) (v % 2 ? x[v].y : x[v].z) = bad;
+        section.cut(x, 2.1);
+        for (const Real y : {-0.5, 0., 0.5}) EXPECT_TRUE(section.crossings(y).empty());
+    }
+}
+
 } // namespace
 } // namespace starling
