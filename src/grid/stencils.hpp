@@ -29,7 +29,7 @@ struct DivergenceAtCell {
 
 /// Seven-point Laplacian of a field at its own location; `f` has valid halos.
 struct Laplacian {
-    Real ax, ay, az;
+    Real ax = 0, ay = 0, az = 0;
 
     explicit Laplacian(const Vec3& h)
         : ax(1 / (h.x * h.x)), ay(1 / (h.y * h.y)), az(1 / (h.z * h.z))
