@@ -171,7 +171,12 @@ std::string to_text(const TheoryReport& report, const Scaling& scaling)
 std::string to_csv(const TheoryReport& r, const Scaling& scaling)
 {
     const Real l = scaling.factor(Quantity::length), p = scaling.factor(Quantity::pressure);
-    std::string text = "x,R,P,R_laplace,R_anand_christov,R_second_order\n";
+    const std::string length = scaling.unit(Quantity::length);
+    std::string text = heading("x", length) + ',' + heading("R", length) + ',' +
+                       heading("P", scaling.unit(Quantity::pressure));
+    for (const auto* law : {"R_laplace", "R_anand_christov", "R_second_order"})
+        text += ',' + heading(law, length);
+    text += '\n';
     for (std::size_t i = 0; i < r.tube.x.size(); ++i) {
         const Real x = r.tube.x[i];
         fmt::format_to(std::back_inserter(text), "{:.10g},{:.10g},{:.10g}", x * l, r.tube.R[i] * l,

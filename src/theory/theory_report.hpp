@@ -36,8 +36,8 @@ TheoryReport theory_report(const TubeProblem& problem);
 /// A table for people, in the units of `scaling`.
 std::string to_text(const TheoryReport& report, const Scaling& scaling);
 
-/// The whole profile, columns x,R,P,R_laplace,R_anand_christov,R_second_order, in the units of
-/// `scaling`; "nan" where a law has no value.
+/// The whole profile, columns x, R, P, R_laplace, R_anand_christov, R_second_order, each headed
+/// "name [unit]", in the units of `scaling`; "nan" where a law has no value.
 std::string to_csv(const TheoryReport& report, const Scaling& scaling);
 
 } // namespace starling

@@ -123,7 +123,7 @@ def test_check_and_theory(directory):
     expect_exit(result, 0)
     expect("Q/Q_0" in result.stdout, result.stdout)
     result = starling("theory", CASE, "--csv")
-    expect(result.stdout.startswith("x,R,P,"), result.stdout[:80])
+    expect(result.stdout.startswith("x [R_0],R [R_0],P ["), result.stdout[:80])
     expect(not list(directory.iterdir()), "check or theory wrote a file")
 
 
@@ -152,7 +152,7 @@ def check_tables(out):
     series = rows_of(out / "series.csv")
     expect([row[1] for row in series[1:]] == ["0", "2", "4", "5"], series)
     document = (SOURCE / "docs" / "results.md").read_text(encoding="utf-8")
-    for name in ("series.csv", "profile.csv"):
+    for name in ("series.csv", "profile.csv", "theory.csv"):
         for title in rows_of(out / name)[0]:
             column, unit = re.fullmatch(r"(\w+) \[(.+)\]", title).groups()
             expect(f"`{column}`" in document, column, "is not in docs/results.md")

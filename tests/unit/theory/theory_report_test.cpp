@@ -67,7 +67,7 @@ TEST(TheoryReport, ValuesComeInTheUnitsOfTheCase)
     std::getline(csv, header);
     std::getline(csv, inlet);
     std::getline(csv, clamp);
-    EXPECT_EQ(header, "x,R,P,R_laplace,R_anand_christov,R_second_order");
+    EXPECT_EQ(header, "x [m],R [m],P [Pa],R_laplace [m],R_anand_christov [m],R_second_order [m]");
     EXPECT_EQ(inlet.substr(0, 8), "0,0.005,");
     EXPECT_NE(inlet.find("nan,nan,nan"), std::string::npos);
     EXPECT_EQ(clamp.find("nan"), std::string::npos);
@@ -79,6 +79,7 @@ TEST(TheoryReport, CsvHasARowPerNode)
 {
     const TheoryReport r = theory_report(main_case());
     const std::string csv = to_csv(r, Scaling{});
+    EXPECT_EQ(csv.find("x [R_0],R [R_0],P [rho U_c^2],R_laplace [R_0],"), 0U);
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
               1 + r.tube.x.size());
 }
