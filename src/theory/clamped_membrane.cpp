@@ -25,30 +25,68 @@ RingForces ring_forces(const Law& law, Real least_tension, Real R, Real R_prime)
     return {lambda2 * tau1 * slope / lambda1, lambda1 * tau.tau2};
 }
 
+Dual fourth_power(const Dual& R) { return R * R * R * R; }
+
+/// -dP/dx over the gradient of the rigid ends: Poiseuille's, longer by the slope.
+Dual relative_drop(const Dual& R, const Dual& slope)
+{
+    const Dual sin2 = slope * slope / (1 + slope * slope);
+    return (1 + Dual(4.0 / 3) * sin2) / fourth_power(R);
+}
+
+/// Pressure that the wall feels beyond the viscous P, of the gradient g and its two causes.
+struct ExtraPressure {
+    Dual per_gradient;         ///< slope: pressure across the section and shear on the wall
+    Dual per_squared_gradient; ///< inertia
+
+    ExtraPressure(const Dual& R, const Dual& slope, Real inertia)
+        : per_gradient(-slope / (Dual(3) * (1 + slope * slope) * R * R * R)),
+          per_squared_gradient(Dual(inertia) * (1 - 1 / fourth_power(R)))
+    {
+    }
+    Dual value(Real g) const { return Dual(g) * per_gradient + Dual(g * g) * per_squared_gradient; }
+    Real derivative(Real g) const
+    {
+        return per_gradient.value + 2 * g * per_squared_gradient.value;
+    }
+};
+
+/// Two nodes and the flow between them.
+struct ElementState {
+    Real h = 0;
+    Pair R{}, P{}; ///< P transmural
+    Real gradient = 0, inertia = 0;
+};
+
 /// Virtual work of one element between its nodes 0 and 1 for dR at each, and its derivatives.
 struct Element {
     Pair residual{};
     Block dR{}; // [dR at][derivative with respect to R at]
     Pair dP{};  // with respect to P at the same node
+    Pair dg{};  // with respect to the gradient
 };
 
 template <class Law>
-Element element(const Law& law, Real least_tension, Real h, const Pair& R, const Pair& P)
+Element element(const Law& law, Real least_tension, const ElementState& s)
 {
     constexpr Pair sign{-1, 1}; // h d(slope)/dR
-    const Real slope = (R[1] - R[0]) / h;
+    const Real slope = (s.R[1] - s.R[0]) / s.h;
     Element e;
     for (std::size_t a : {0u, 1u}) { // the two points of the trapezoidal rule
-        const RingForces f = ring_forces(law, least_tension, R[a], slope);
-        e.residual[a] += h / 2 * (f.hoop_force.value - P[a] * R[a]);
-        e.dR[a][a] += h / 2 * (f.hoop_force.d1 - P[a]);
-        e.dP[a] -= h / 2 * R[a];
+        const Dual R = Dual::first(s.R[a]);
+        const RingForces f = ring_forces(law, least_tension, s.R[a], slope);
+        const ExtraPressure extra(R, Dual::second(slope), s.inertia);
+        const Dual radial = f.hoop_force - (s.P[a] + extra.value(s.gradient)) * R;
+        e.residual[a] += s.h / 2 * radial.value;
+        e.dR[a][a] += s.h / 2 * radial.d1;
+        e.dP[a] -= s.h / 2 * s.R[a];
+        e.dg[a] -= s.h / 2 * s.R[a] * extra.derivative(s.gradient);
         for (std::size_t b : {0u, 1u}) {
             e.residual[b] += sign[b] / 2 * f.axial_force.value;
             e.dR[b][a] += sign[b] / 2 * f.axial_force.d1;
-            e.dR[a][b] += sign[b] / 2 * f.hoop_force.d2;
+            e.dR[a][b] += sign[b] / 2 * radial.d2;
             for (std::size_t c : {0u, 1u})
-                e.dR[b][c] += sign[b] * sign[c] / (2 * h) * f.axial_force.d2;
+                e.dR[b][c] += sign[b] * sign[c] / (2 * s.h) * f.axial_force.d2;
         }
     }
     return e;
@@ -65,7 +103,12 @@ Real least_axial_tension(const MembraneLoad& load)
     return 1e-4 * std::max(high, -low) + 1e-2 * std::max(0.0, -low);
 }
 
-Real fourth_power(Real R) { return R * R * R * R; }
+/// Slope at node i between its neighbours, of the parabola through the three.
+Real slope_at(const std::vector<Real>& x, const std::vector<Real>& R, std::size_t i)
+{
+    const Real a = x[i] - x[i - 1], b = x[i + 1] - x[i];
+    return (b * (R[i] - R[i - 1]) / a + a * (R[i + 1] - R[i]) / b) / (a + b);
+}
 
 } // namespace
 
@@ -78,8 +121,9 @@ struct ClampedMembrane::System {
 };
 
 ClampedMembrane::ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet,
-                                 Material law)
-    : x_(std::move(x)), rigid_inlet_(rigid_inlet), rigid_outlet_(rigid_outlet), law_(law)
+                                 Material law, Real inertia)
+    : x_(std::move(x)), rigid_inlet_(rigid_inlet), rigid_outlet_(rigid_outlet), law_(law),
+      inertia_(inertia)
 {
 }
 
@@ -96,8 +140,13 @@ void ClampedMembrane::add_ring_balance(const Law& law, const MembraneLoad& load,
     const Real least_tension = least_axial_tension(load);
     for (std::size_t i = 0; i + 1 < x_.size(); ++i) {
         const std::size_t j = i + 1;
-        const Element e = element(law, least_tension, x_[j] - x_[i], {state.R[i], state.R[j]},
-                                  {state.P[i] - load.P_external, state.P[j] - load.P_external});
+        const Element e =
+            element(law, least_tension,
+                    {.h = x_[j] - x_[i],
+                     .R = {state.R[i], state.R[j]},
+                     .P = {state.P[i] - load.P_external, state.P[j] - load.P_external},
+                     .gradient = state.gradient,
+                     .inertia = inertia_});
         system.residual[i][0] += e.residual[0];
         system.residual[j][0] += e.residual[1];
         diagonal[i][0][0] += e.dR[0][0];
@@ -106,6 +155,8 @@ void ClampedMembrane::add_ring_balance(const Law& law, const MembraneLoad& load,
         diagonal[j][0][0] += e.dR[1][1];
         diagonal[i][0][1] += e.dP[0];
         diagonal[j][0][1] += e.dP[1];
+        system.border[i][0] += e.dg[0];
+        system.border[j][0] += e.dg[1];
     }
 }
 
@@ -119,13 +170,16 @@ void ClampedMembrane::add_pressure_drop(const MembraneLoad& load, const Membrane
     diagonal[0][1][1] = 1;
     for (std::size_t i = 0; i + 1 < x_.size(); ++i) {
         const std::size_t j = i + 1;
-        const Real h = x_[j] - x_[i];
-        const Real drop_i = h / (2 * fourth_power(state.R[i]));
-        const Real drop_j = h / (2 * fourth_power(state.R[j]));
-        system.residual[j][1] = state.P[j] - state.P[i] + g * (drop_i + drop_j);
-        system.border[j][1] = drop_i + drop_j;
-        lower[j][1] = {-4 * g * drop_i / state.R[i], -1};
-        diagonal[j][1] = {-4 * g * drop_j / state.R[j], 1};
+        const Real h = x_[j] - x_[i], slope = (state.R[j] - state.R[i]) / h;
+        const auto drop = [&](Real R) {
+            return Dual(h / 2) * relative_drop(Dual::first(R), Dual::second(slope));
+        };
+        const Dual at_i = drop(state.R[i]), at_j = drop(state.R[j]);
+        const Real d_slope = (at_i.d2 + at_j.d2) / h;
+        system.residual[j][1] = state.P[j] - state.P[i] + g * (at_i.value + at_j.value);
+        system.border[j][1] = at_i.value + at_j.value;
+        lower[j][1] = {g * (at_i.d1 - d_slope), -1};
+        diagonal[j][1] = {g * (at_j.d1 + d_slope), 1};
     }
 }
 
@@ -137,6 +191,7 @@ ClampedMembrane::System ClampedMembrane::assemble(const MembraneLoad& load,
     add_pressure_drop(load, state, system);
     for (const std::size_t clamp : {std::size_t{0}, x_.size() - 1}) {
         system.residual[clamp][0] = state.R[clamp] - 1;
+        system.border[clamp][0] = 0;
         system.matrix.lower[clamp][0] = system.matrix.upper[clamp][0] = {0, 0};
         system.matrix.diagonal[clamp][0] = {1, 0};
     }
@@ -176,6 +231,18 @@ bool ClampedMembrane::solve(const MembraneLoad& load, MembraneState& state) cons
         if (!std::isfinite(largest)) return false;
     }
     return false;
+}
+
+std::vector<Real> ClampedMembrane::axis_pressure(const MembraneState& state) const
+{
+    const Real g = state.gradient;
+    std::vector<Real> P(state.P);
+    for (std::size_t i = 1; i + 1 < x_.size(); ++i) {
+        const Real R = state.R[i], R4 = R * R * R * R, tan_beta = slope_at(x_, state.R, i);
+        P[i] += g * tan_beta * R / (6 * (1 + tan_beta * tan_beta) * R4) +
+                inertia_ * g * g * (1 - 1 / R4);
+    }
+    return P;
 }
 
 } // namespace starling

@@ -10,8 +10,9 @@
 
 namespace starling {
 
-/// R and P at the nodes of the deforming part; `gradient` is -dP/dx in the rigid ends,
-/// 8 Q/(pi Re), so that -dP/dx = gradient/R^4 everywhere.
+/// R and the viscous pressure P at the nodes of the deforming part; `gradient` is -dP/dx in the
+/// rigid ends, g = 8 Q/(pi Re), so that -dP/dx = g (1 + 4/3 sin^2 beta)/R^4 everywhere, with
+/// tan beta = R'.
 struct MembraneState {
     std::vector<Real> R, P;
     Real gradient = 0;
@@ -25,8 +26,10 @@ struct MembraneLoad {
 /// A membrane tube of modulus G_s = 1, clamped at R = 1 at both ends of its mesh.
 class ClampedMembrane {
 public:
-    /// `x` increases from clamp to clamp; `law` has G_s = 1.
-    ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law);
+    /// `x` increases from clamp to clamp; `law` has G_s = 1; `inertia` is the dynamic pressure
+    /// (Q/pi)^2 over the square of the gradient, (Re/8)^2 in units of G_s.
+    ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law,
+                    Real inertia);
 
     MembraneState undeformed() const;
 
@@ -35,6 +38,10 @@ public:
     bool solve(const MembraneLoad& load, MembraneState& state) const;
 
     const std::vector<Real>& x() const { return x_; }
+
+    /// Pressure on the axis at the nodes: P with what slope and inertia add to it. At the clamps,
+    /// where the slope jumps, that of the rigid side.
+    std::vector<Real> axis_pressure(const MembraneState& state) const;
 
 private:
     struct System;
@@ -50,6 +57,7 @@ private:
     std::vector<Real> x_;
     Real rigid_inlet_, rigid_outlet_;
     Material law_;
+    Real inertia_;
 };
 
 } // namespace starling

@@ -39,9 +39,11 @@ std::vector<Real> clustered_nodes(Real a, Real b, Index intervals)
 /// The membrane of `problem` with pressures in units of G_s.
 ClampedMembrane membrane(const TubeProblem& problem, Index intervals)
 {
+    const Real Re = problem.fluid.reynolds;
     return {clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals),
             problem.tube.rigid_inlet, problem.tube.rigid_outlet,
-            make_material(problem.material, 1 / problem.material.eps)}; // G_s = 1
+            make_material(problem.material, 1 / problem.material.eps), // G_s = 1
+            Re * Re / 64 * shear_modulus(problem.material, Re)};
 }
 
 /// The load of `problem` times `fraction`, in units of G_s.
@@ -167,9 +169,10 @@ OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index inter
     const MembraneState state = solve_membrane(problem, intervals);
     const Real G_s = shear_modulus(problem.material, problem.fluid.reynolds);
     OneDimensionalTube tube;
-    tube.x = clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals);
+    const ClampedMembrane mesh = membrane(problem, intervals);
+    tube.x = mesh.x();
     tube.R = state.R;
-    for (const Real P : state.P) tube.P.push_back(P * G_s);
+    for (const Real P : mesh.axis_pressure(state)) tube.P.push_back(P * G_s);
     tube.Q = pi * problem.fluid.reynolds / 8 * state.gradient * G_s;
     find_largest_radius(tube);
     if (problem.tube.rigid_inlet > 0) {
