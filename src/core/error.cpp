@@ -31,11 +31,8 @@ InputError::InputError(const std::string& message)
 {
 }
 
-NumericalError::NumericalError(Index step, Real time, const std::string& what_and_where,
-                               const std::string& remedy)
-    : std::runtime_error("step " + std::to_string(step) + ", t = " + std::to_string(time) + ": " +
-                         what_and_where + "\n  try: " + remedy),
-      step_(step), time_(time), remedy_(remedy)
+NumericalError::NumericalError(const std::string& what_when_and_where, const std::string& remedy)
+    : std::runtime_error(what_when_and_where + "\n  try: " + remedy)
 {
 }
 

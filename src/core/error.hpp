@@ -28,20 +28,11 @@ private:
     std::vector<Problem> problems_;
 };
 
-/// The computation cannot go on (exit code 3): where, when, and what to try.
+/// The computation cannot go on (exit code 3): what happened, with when and where in the units of
+/// the case where it has a time and a place, and what to try.
 class NumericalError : public std::runtime_error {
 public:
-    NumericalError(Index step, Real time, const std::string& what_and_where,
-                   const std::string& remedy);
-
-    Index step() const { return step_; }
-    Real time() const { return time_; }
-    const std::string& remedy() const { return remedy_; }
-
-private:
-    Index step_;
-    Real time_;
-    std::string remedy_;
+    NumericalError(const std::string& what_when_and_where, const std::string& remedy);
 };
 
 } // namespace starling

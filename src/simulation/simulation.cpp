@@ -1,7 +1,8 @@
 #include "simulation/simulation.hpp"
 
-#include "core/error.hpp"
+#include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "solver/advance.hpp"
 #include "solver/monitor.hpp"
 
@@ -61,9 +62,7 @@ struct Simulation::Impl {
     {
         const SpeedCheck check = check_speed(grid, state.fluid.u, state.dt);
         if (!std::isfinite(check.u_max))
-            throw NumericalError(state.step, state.t,
-                                 "the velocity is not finite" + first_bad_face(),
-                                 "a smaller time step (--set time.safety=0.5)");
+            fail("the velocity is not finite" + first_bad_face(), smaller_step());
         choose_step(std::max(check.u_max, std::abs(description.pressure_ratio())));
     }
 
@@ -80,10 +79,28 @@ struct Simulation::Impl {
         return "";
     }
 
-    static std::string describe(const Vec3& p)
+    /// A place in the units of the case.
+    std::string describe(const Vec3& p) const
     {
-        return "x = " + std::to_string(p.x) + ", y = " + std::to_string(p.y) +
-               ", z = " + std::to_string(p.z);
+        const Real l = description.scaling.factor(Quantity::length);
+        return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g} {}", p.x * l, p.y * l, p.z * l,
+                           description.scaling.unit(Quantity::length));
+    }
+
+    /// Throws a NumericalError that says when, in the units of the case.
+    [[noreturn]] void fail(const std::string& what_and_where, const std::string& remedy) const
+    {
+        const Scaling& scaling = description.scaling;
+        throw NumericalError(fmt::format("step {}, t = {:.6g} {}: {}", state.step,
+                                         state.t * scaling.factor(Quantity::time),
+                                         scaling.unit(Quantity::time), what_and_where),
+                             remedy);
+    }
+
+    std::string smaller_step() const
+    {
+        return description.time.step ? "a smaller time step (--set time.step=auto)"
+                                     : "a smaller time step (--set time.safety=0.5)";
     }
 
     /// Where the wall has gone wrong, as a NumericalError.
@@ -93,18 +110,13 @@ struct Simulation::Impl {
             const Vec3 &p = state.wall.x[v], h = grid.spacing(), low = grid.origin(),
                        size = grid.lengths();
             if (!std::isfinite(p.y) || !std::isfinite(p.z))
-                throw NumericalError(state.step, state.t,
-                                     "a wall vertex is not finite at " + describe(p),
-                                     "a smaller time step (--set time.safety=0.5)");
+                fail("a wall vertex is not finite at " + describe(p), smaller_step());
             if (p.y < low.y + 2 * h.y || p.y > low.y + size.y - 2 * h.y || p.z < low.z + 2 * h.z ||
                 p.z > low.z + size.z - 2 * h.z)
-                throw NumericalError(state.step, state.t,
-                                     "the wall has reached the side of the box at " + describe(p),
-                                     "a wider box (grid.width_y, grid.width_z)");
+                fail("the wall has reached the side of the box at " + describe(p),
+                     "a wider box (grid.width_y, grid.width_z), or " + smaller_step());
         }
-        throw NumericalError(state.step, state.t,
-                             "the wall moved by more than a grid spacing in one step",
-                             "a smaller time step (--set time.safety=0.5)");
+        fail("the wall moved by more than a grid spacing in one step", smaller_step());
     }
 
     void step()
@@ -131,8 +143,7 @@ Sample Simulation::sample()
 {
     const Sample s = impl_->monitor.sample(impl_->state);
     if (!std::isfinite(s.Q_mid) || !std::isfinite(s.volume))
-        throw NumericalError(s.step, s.t, "the flow rate is not finite" + impl_->first_bad_face(),
-                             "a smaller time step (--set time.safety=0.5)");
+        impl_->fail("the flow rate is not finite" + impl_->first_bad_face(), impl_->smaller_step());
     return s;
 }
 

@@ -223,7 +223,7 @@ Real ClampedMembrane::newton_step(const MembraneLoad& load, MembraneState& state
 
 bool ClampedMembrane::solve(const MembraneLoad& load, MembraneState& state) const
 {
-    constexpr int most_steps = 15;
+    constexpr int most_steps = 20;
     constexpr Real converged = 1e-11;
     for (int step = 0; step < most_steps; ++step) {
         const Real largest = newton_step(load, state);

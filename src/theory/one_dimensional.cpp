@@ -1,8 +1,9 @@
 #include "theory/one_dimensional.hpp"
 
 #include <algorithm>
-#include <string>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "theory/clamped_membrane.hpp"
@@ -78,18 +79,16 @@ bool near(const MembraneState& a, const MembraneState& b)
 
 [[noreturn]] void no_solution(const TubeProblem& problem, Real fraction)
 {
-    throw NumericalError(0, 0,
-                         "the one-dimensional model finds no steady tube beyond " +
-                             std::to_string(fraction) +
-                             " of the given pressures (Delta P/Delta P_0 = " +
-                             std::to_string(fraction * problem.pressure_ratio()) + ")",
+    throw NumericalError(fmt::format("the one-dimensional model finds no steady tube beyond "
+                                     "{:.4g} % of the given pressures (Delta P/Delta P_0 = {:.4g})",
+                                     100 * fraction, fraction * problem.pressure_ratio()),
                          "smaller pressures or a stiffer wall (smaller eps)");
 }
 
 /// Follows the solution from the unloaded tube to the full load, with steps that adapt.
 MembraneState load_up(const TubeProblem& problem, const ClampedMembrane& tube)
 {
-    constexpr Real smallest_step = 1e-5;
+    constexpr Real smallest_step = 1e-7;
     MembraneState before = tube.undeformed(), now = before;
     Real fraction = 0, step = 0.25, last_step = 1;
     while (fraction < 1) {

@@ -233,6 +233,20 @@ def test_numerical_error(directory):
     expect(not (out / "profile.csv").exists(), "a profile of a broken state")
 
 
+def test_numerical_error_in_si(directory):
+    """When and where come in the units of the case."""
+    out = directory / "out"
+    result = starling("run", SOURCE / "cases" / "microchannel_si.toml", "--set",
+                      "grid.spacing=0.1 mm", "--set", "time.step=40 ms", "--out", out)
+    expect_exit(result, 3)
+    reason = summary_of(out)["reason"]
+    found = re.match(r"numerical error: step (\d+), t = (\S+) s: .*", reason)
+    expect(found and abs(float(found[2]) - 0.04 * int(found[1])) < 1e-6, reason)
+    expect("time.step=auto" in reason, "no remedy for a fixed step", reason)
+    place = re.search(r"at x = (\S+), y = \S+, z = \S+ m\n", reason)
+    expect(place and 0 <= float(place[1]) <= 6.28e-3, reason)
+
+
 def test_threads(directory):
     for threads in (1, 2):
         expect_exit(starling("run", *SHORT, "--set", "stop.steps=20", "--threads", threads,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <vector>
 
 #include "core/error.hpp"
@@ -301,8 +302,28 @@ TEST(OneDimensional, WorksWithoutRigidEnds)
 
 TEST(OneDimensional, SaysSoWhereNoSteadyTubeExists)
 {
-    EXPECT_THROW(solve_one_dimensional(inflation(ElasticLaw::neo_hookean, 0.01, 20)),
-                 NumericalError);
+    std::string said;
+    try {
+        solve_one_dimensional(inflation(ElasticLaw::neo_hookean, 0.01, 20));
+    } catch (const NumericalError& e) {
+        said = e.what();
+    }
+    double percent = 0, ratio = 0; // neither step nor time, and how far it went
+    ASSERT_EQ(std::sscanf(said.c_str(),
+                          "the one-dimensional model finds no steady tube beyond %lf %% of the "
+                          "given pressures (Delta P/Delta P_0 = %lf)",
+                          &percent, &ratio),
+              2)
+        << said;
+    EXPECT_NEAR(ratio, 20 * percent / 100, 0.01);
+    EXPECT_GT(ratio, 4);
+}
+
+TEST(OneDimensional, ReachesLoadsFarFromRest)
+{
+    EXPECT_GT(solve_one_dimensional(inflation(ElasticLaw::skalak, 0.02, 400)).R_max, 5);
+    EXPECT_GT(solve_one_dimensional(inflation(ElasticLaw::hooke, 10, 1000)).R_max, 100);
+    EXPECT_EQ(solve_one_dimensional(inflation(ElasticLaw::hooke, 0.02, -1000)).R_max, 1);
 }
 
 } // namespace
