@@ -66,7 +66,7 @@ std::vector<KeyRule> flow_keys()
          closed(-1000, 1000),
          {},
          plain,
-         "give pressure_inlet"},
+         "give pressure_inlet instead"},
         {"drive", "pressure_inlet", measure, "pressure at the inlet", pressure, any_pressure},
         {"drive", "pressure_outlet", measure, "pressure at the outlet", pressure, any_pressure},
         {"drive", "pressure_external", measure, "pressure outside the tube", pressure,

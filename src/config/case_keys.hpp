@@ -41,6 +41,8 @@ struct Range {
     bool contains(Real value) const;
     /// Words for messages and documents: "greater than 0 and at most 0.34".
     std::string describe() const;
+    /// The range of the value times a positive factor.
+    Range times(Real factor) const { return {min * factor, max * factor, open_min, open_max}; }
 };
 
 struct KeyRule {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "config/nearest_name.hpp"
+#include "config/quantities.hpp"
 
 namespace starling {
 
@@ -53,21 +54,25 @@ CaseValues::CaseValues(const Document& document)
     }
     for (const Entry& e : document.entries)
         if (const KeyRule* rule = find_key(e.section, e.key)) places_[rule->name()] = e.place;
-    const bool clear = read_system(document);
-    for (const Entry& e : document.entries)
-        check_name(e, clear ? std::optional(system_) : std::nullopt);
-    if (!clear) throw_problems();
+    read_system(document);
+    for (const Entry& e : document.entries) check_name(e, system_);
     for (const Entry& e : document.entries)
         if (const KeyRule* rule = find_key(e.section, e.key); rule && rule->key != "units")
             check(*rule, e.value);
+    if (!system_) throw_problems();
 }
 
-bool CaseValues::read_system(const Document& document)
+void CaseValues::read_system(const Document& document)
 {
-    for (const Entry& e : document.entries)
-        if (e.section.empty() && e.key == "units") check(case_key("units"), e.value);
-    if (text("units", "dimensionless") == "si") system_ = UnitSystem::si;
-    return sound({"units"});
+    const KeyRule& rule = case_key("units");
+    std::string_view meant = "dimensionless";
+    for (const Entry& e : document.entries) {
+        if (!e.section.empty() || e.key != "units") continue;
+        check(rule, e.value);
+        const auto* given = std::get_if<std::string>(&e.value);
+        meant = given ? nearest_name(*given, rule.choices) : "";
+    }
+    if (!meant.empty()) system_ = meant == "si" ? UnitSystem::si : UnitSystem::dimensionless;
 }
 
 void CaseValues::check_name(const Entry& e, std::optional<UnitSystem> system)
@@ -82,17 +87,30 @@ void CaseValues::check_name(const Entry& e, std::optional<UnitSystem> system)
 
 void CaseValues::check(const KeyRule& rule, const Value& value)
 {
-    if (rule.only && *rule.only != system_)
+    if (!system_ && is_scaled(rule)) return; // cannot be judged
+    if (rule.only && system_ && rule.only != system_)
         return problem(rule.name(),
                        fmt::format("belongs to units = \"{}\"; {}",
                                    rule.only == UnitSystem::si ? "si" : "dimensionless",
                                    rule.instead));
     try {
-        values_[rule.name()] = check_value(rule, value, system_);
+        values_[rule.name()] =
+            check_value(rule, value, system_.value_or(UnitSystem::dimensionless));
     } catch (const std::invalid_argument& e) {
         return problem(rule.name(), e.what());
     }
-    if (system_ == UnitSystem::dimensionless || !is_scaled(rule)) check_range(rule);
+    if (system_ == UnitSystem::si && is_scaled(rule))
+        note_unit(rule, value);
+    else
+        check_range(rule);
+}
+
+void CaseValues::note_unit(const KeyRule& rule, const Value& value)
+{
+    const auto* text = std::get_if<std::string>(&value);
+    if (!text || *text == "auto") return;
+    const std::string unit(written_unit(*text));
+    if (!unit.empty()) units_[rule.name()] = unit;
 }
 
 void CaseValues::check_range(const KeyRule& rule)
@@ -108,9 +126,37 @@ void CaseValues::check_range(const KeyRule& rule)
     else
         return;
     if (std::isfinite(x) && rule.range.contains(x)) return;
-    const std::string unit =
-        system_ == UnitSystem::si && is_scaled(rule) ? " " + Scaling{}.unit(rule.quantity) : "";
-    problem(name, fmt::format("is {:g}{}; must be {}{}", x, unit, rule.range.describe(), unit));
+    std::string allowed = rule.range.describe();
+    if (system_ != UnitSystem::si || !is_scaled(rule))
+        return problem(name, fmt::format("is {:g}; must be {}", x, allowed));
+    allowed += " " + Scaling{}.unit(rule.quantity);
+    if (const auto unit = written_unit_of(rule))
+        allowed = fmt::format("{} {} ({})", rule.range.times(unit->factor).describe(), unit->name,
+                              allowed);
+    problem(name, fmt::format("is {}; must be {}", in_units(name, x), allowed));
+}
+
+std::optional<CaseValues::WrittenUnit> CaseValues::written_unit_of(const KeyRule& rule) const
+{
+    const auto unit = units_.find(rule.name());
+    if (unit == units_.end()) return std::nullopt;
+    const long double size = parse_measure("1 " + unit->second).value;
+    return WrittenUnit{unit->second,
+                       static_cast<Real>(static_cast<long double>(scale(rule)) / size)};
+}
+
+std::string CaseValues::in_units(std::string_view name, Real value) const
+{
+    const KeyRule& rule = case_key(name);
+    const std::string scaled = fmt::format("{:.4g} {}", value, Scaling{}.unit(rule.quantity));
+    if (system_ != UnitSystem::si || !std::isfinite(scale(rule))) return scaled;
+    if (const auto unit = written_unit_of(rule))
+        return fmt::format("{:.4g} {} ({})", value * unit->factor, unit->name, scaled);
+    const long double si = static_cast<long double>(value * scale(rule));
+    const auto close = [=](long double other) {
+        return std::abs(other - si) <= 5e-4 * std::abs(si);
+    };
+    return fmt::format("{} ({})", format_measure(si, rule.quantity, close), scaled);
 }
 
 void CaseValues::set_scaling(const Scaling& scaling)
@@ -141,9 +187,15 @@ bool CaseValues::sound(std::initializer_list<std::string_view> names) const
 
 bool CaseValues::require(std::string_view name)
 {
-    if (!given(name) && !bad_.contains(name))
-        problem(name, fmt::format("is missing: {}", case_key(name).meaning));
+    if (!given(name) && !bad_.contains(name)) missing(name);
     return has(name);
+}
+
+void CaseValues::missing(std::string_view name, std::string_view otherwise)
+{
+    const KeyRule& rule = case_key(name);
+    problem(name, fmt::format("is missing: {}, {}{}{}", rule.meaning, what_it_takes(rule, system()),
+                              otherwise.empty() ? "" : "; ", otherwise));
 }
 
 long double CaseValues::si(std::string_view name) const

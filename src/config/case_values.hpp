@@ -18,10 +18,11 @@ namespace starling {
 /// Names of keys are dotted ("wall.law"). A value is "good" when its own rule accepts it.
 class CaseValues {
 public:
-    /// Checks names, types, units and signs. Throws InputError where the unit system is unclear.
+    /// Checks names, types, units and signs. Where the unit system is misspelt, the nearest name is
+    /// taken as meant; where it is unclear, throws InputError with all that does not depend on it.
     explicit CaseValues(const Document& document);
 
-    UnitSystem system() const { return system_; }
+    UnitSystem system() const { return *system_; }
 
     /// From here on measures are divided by these scales; a scale that is not finite is unknown.
     void set_scaling(const Scaling& scaling);
@@ -35,6 +36,11 @@ public:
     bool sound(std::initializer_list<std::string_view> names) const;
     /// has(), after reporting the key as missing where the file does not give it.
     bool require(std::string_view name);
+    /// Reports the key as missing: what it means, what it takes, and what else would do.
+    void missing(std::string_view name, std::string_view otherwise = "");
+    /// A dimensionless value for messages: "2.6 R_0"; in SI "1.3 mm (2.6 R_0)", in the unit in
+    /// which the file gives the key, or else a handy one.
+    std::string in_units(std::string_view name, Real value) const;
 
     /// The dimensionless number of a number, measure, step or seconds; the key must have one.
     Real number(std::string_view name) const;
@@ -75,19 +81,27 @@ private:
         using type = T;
     };
 
-    bool read_system(const Document& document);
+    struct WrittenUnit {
+        std::string name;
+        Real factor; ///< of dimensionless numbers, to this unit
+    };
+
+    void read_system(const Document& document);
     void check_name(const Entry& entry, std::optional<UnitSystem> system);
     void check(const KeyRule& rule, const Value& value);
+    void note_unit(const KeyRule& rule, const Value& value);
     void check_range(const KeyRule& rule);
+    std::optional<WrittenUnit> written_unit_of(const KeyRule& rule) const;
     Real scale(const KeyRule& rule) const;
 
     std::string file_;
     std::map<std::string, Place, std::less<>> sections_;
     std::map<std::string, Place, std::less<>> places_; ///< of every key that is given
     std::map<std::string, CheckedValue, std::less<>> values_;
+    std::map<std::string, std::string, std::less<>> units_; ///< as written, of SI measures
     std::set<std::string, std::less<>> bad_;
     std::vector<Problem> problems_;
-    UnitSystem system_ = UnitSystem::dimensionless;
+    std::optional<UnitSystem> system_; ///< empty: unclear
     Scaling scaling_;
 };
 

@@ -12,6 +12,25 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+/// The words of a name ("a_b", "a-b", "a b") in alphabetical order, joined by "_".
+std::string sorted_words(std::string_view name)
+{
+    std::vector<std::string> words(1);
+    for (char c : name.substr(0, 64))
+        if (c == '_' || c == '-' || c == ' ')
+            words.emplace_back();
+        else
+            words.back() += lower(c);
+    std::sort(words.begin(), words.end());
+    return fmt::format("{}", fmt::join(words, "_"));
+}
+
+/// Edits from a to b; words in another order count as one more.
+int distance(std::string_view a, std::string_view b)
+{
+    return std::min(edit_distance(a, b), 1 + edit_distance(sorted_words(a), sorted_words(b)));
+}
+
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
 } // namespace
@@ -41,7 +60,7 @@ std::string_view nearest_name(std::string_view wrong, const std::vector<std::str
     std::string_view best;
     int fewest = 1 + static_cast<int>(std::max<std::size_t>(2, wrong.size() / 3));
     for (std::string_view name : names) {
-        const int edits = edit_distance(wrong, name);
+        const int edits = distance(wrong, name);
         if (edits < fewest && edits < static_cast<int>(name.size())) best = name, fewest = edits;
     }
     return best;

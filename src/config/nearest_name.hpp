@@ -10,7 +10,8 @@ namespace starling {
 /// Both are cut to 64 characters, so that the cost is bounded.
 int edit_distance(std::string_view a, std::string_view b);
 
-/// The name nearest to `wrong`, or an empty one where none is near enough to be meant.
+/// The name nearest to `wrong` in edits, its words in any order ("inlet_pressure" is near
+/// "pressure_inlet"), or an empty one where none is near enough to be meant.
 std::string_view nearest_name(std::string_view wrong, const std::vector<std::string_view>& names);
 
 /// `did you mean "x"? Allowed: a, b, x`; the question only where a name is near.

@@ -24,11 +24,13 @@ void read_drive(CaseValues& values, const Case& c, DriveParameters& drive)
     values.fill("drive.pressure_outlet", drive.pressure_outlet);
     values.fill("drive.pressure_external", drive.pressure_external);
     const std::string_view ratio = "drive.pressure_ratio";
-    if (!values.given(ratio)) {
-        if (values.system() == UnitSystem::si)
+    if (values.system() == UnitSystem::si) {
+        if (!values.given(ratio)) // where it is given, it has been refused in favour of the inlet's
             values.require("drive.pressure_inlet");
-        else if (!inlet)
-            values.problem(ratio, "is missing: give it or pressure_inlet");
+        return;
+    }
+    if (!values.given(ratio)) {
+        if (!inlet) values.missing(ratio, "or give pressure_inlet");
         return;
     }
     if (inlet && outlet) values.problem(ratio, "give it or both pressures, not all three");
@@ -76,8 +78,7 @@ void read_stop(CaseValues& values, StopParameters& stop)
     values.fill("stop.wall_clock", stop.wall_clock);
     if (any) return;
     if (values.has_section("stop"))
-        values.problem("stop.steady_tolerance",
-                       "is missing: give it, end_time, steps or wall_clock");
+        values.missing("stop.steady_tolerance", "or give end_time, steps or wall_clock");
     stop.steady_tolerance = 1e-4;
     stop.steps = 200000;
 }

@@ -21,6 +21,9 @@ bool require_all(CaseValues& values, std::initializer_list<std::string_view> nam
 /// |P_in - P_out| R_0^2/(4 mu L), or NaN.
 Real velocity_of_drop(CaseValues& values)
 {
+    // A pressure ratio has been refused, with the advice to give the pressure at the inlet.
+    if (values.given("drive.pressure_ratio") && !values.given("drive.pressure_inlet"))
+        return unknown;
     const bool known = require_all(
         values, {"drive.pressure_inlet", "fluid.viscosity", "vessel.radius", "vessel.length"});
     if (!known || !values.sound({"drive.pressure_outlet"})) return unknown;
@@ -28,8 +31,8 @@ Real velocity_of_drop(CaseValues& values)
         values.given("drive.pressure_outlet") ? values.si("drive.pressure_outlet") : 0;
     const long double drop = std::abs(values.si("drive.pressure_inlet") - outlet);
     if (drop == 0) {
-        values.problem("drive.velocity_scale",
-                       "is missing: without a pressure drop it cannot be found from the case");
+        values.missing("drive.velocity_scale",
+                       "without a pressure drop it cannot be found from the case");
         return unknown;
     }
     const long double r = values.si("vessel.radius");

@@ -73,7 +73,11 @@ void read_parameters_of_law(CaseValues& values, MaterialParameters& m)
         m.law == ElasticLaw::neo_hookean || m.law == ElasticLaw::mooney_rivlin;
     if (incompressible && values.has("wall.poisson_ratio") &&
         values.number("wall.poisson_ratio") != 0.5)
-        values.problem("wall.poisson_ratio", "is 0.5 for this law, which keeps the wall's volume");
+        values.problem("wall.poisson_ratio",
+                       fmt::format("is {:g}, but law = \"{}\" keeps the wall's volume and so has "
+                                   "0.5 always: remove this key",
+                                   values.number("wall.poisson_ratio"),
+                                   values.text("wall.law", "")));
 }
 
 /// G_s in N/m, given or E h/(2 (1 + nu_s)) (Eq. 9).
@@ -86,8 +90,7 @@ std::optional<long double> surface_shear_modulus(CaseValues& values, bool requir
         return values.has(direct) ? std::optional(values.si(direct)) : std::nullopt;
     }
     if (!young) {
-        if (required)
-            values.problem(direct, "is missing: give it, or youngs_modulus and thickness");
+        if (required) values.missing(direct, "or give youngs_modulus and thickness");
         return std::nullopt;
     }
     const bool modulus = values.require("wall.youngs_modulus");

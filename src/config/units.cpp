@@ -194,4 +194,12 @@ Measure parse_measure(std::string_view text)
     return measure;
 }
 
+std::string_view written_unit(std::string_view text)
+{
+    take_number(text);
+    const auto first = text.find_first_not_of(' ');
+    if (first == std::string_view::npos) return "";
+    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 } // namespace starling

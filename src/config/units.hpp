@@ -20,4 +20,7 @@ struct Measure {
 /// Throws std::invalid_argument, with what is wrong, on anything else.
 Measure parse_measure(std::string_view text);
 
+/// The unit in such a text, as it is written there: "mm" of "5 mm"; empty where it has none.
+std::string_view written_unit(std::string_view text);
+
 } // namespace starling

@@ -25,10 +25,12 @@ void check_room(CaseValues& values, std::string_view width_key, std::string_view
     if (!values.sound({width_key, offset_key, "grid.spacing", "grid.cells"})) return;
     const Real room = width / 2 - std::abs(offset) - 1;
     if (room >= room_in_spacings * spacing) return;
+    const Real least = 2 * (1 + std::abs(offset) + room_in_spacings * spacing);
     values.problem(width_key,
-                   fmt::format("leaves {:.4g} R_0 between the tube and the box; 3 spacings are "
-                               "needed, so at least {:.4g} R_0 for this offset and spacing",
-                               room, 2 * (1 + std::abs(offset) + room_in_spacings * spacing)));
+                   fmt::format("leaves {} between the tube and the box; 3 spacings are needed, so "
+                               "at least {} for this offset and spacing",
+                               values.in_units(width_key, room),
+                               values.in_units(width_key, least)));
 }
 
 void check_cells(CaseValues& values, const Case& c, const Vec3& d)
@@ -47,32 +49,35 @@ void check_cells(CaseValues& values, const Case& c, const Vec3& d)
     if (c.grid.cells) {
         const Range& range = case_key("grid.spacing").range;
         if (!range.contains(most))
-            values.problem(key, fmt::format("gives a spacing of {:.4g} R_0; it must be {}", most,
-                                            range.describe()));
+            values.problem(key, fmt::format("gives a spacing of {:.4g} R_0; it must be {} R_0",
+                                            most, range.describe()));
     }
 }
 
 void check_segments(CaseValues& values, const TubeParameters& tube, Real spacing)
 {
     const Real deforming = tube.length - tube.rigid_inlet - tube.rigid_outlet;
+    const auto words = [&](std::string_view key, Real x) { return values.in_units(key, x); };
     if (!values.sound({"vessel.length", "vessel.rigid_inlet", "vessel.rigid_outlet"})) return;
     if (deforming <= 0)
         return values.problem("vessel.length",
-                              fmt::format("is {:.6g} R_0; the rigid inlet and outlet together take "
-                                          "{:.6g} R_0 and leave nothing that deforms",
-                                          tube.length, tube.length - deforming));
+                              fmt::format("is {}; the rigid inlet and outlet together take {} and "
+                                          "leave nothing that deforms",
+                                          words("vessel.length", tube.length),
+                                          words("vessel.length", tube.length - deforming)));
     if (!values.sound({"grid.spacing", "grid.cells"})) return;
     if (deforming < deforming_part_in_spacings * spacing)
         values.problem("vessel.length",
-                       fmt::format("leaves a deforming part of {:.4g} R_0; at least 4 spacings of "
-                                   "{:.4g} are needed",
-                                   deforming, spacing));
+                       fmt::format("leaves a deforming part of {}; at least 4 spacings of {} are "
+                                   "needed",
+                                   words("vessel.length", deforming),
+                                   words("grid.spacing", spacing)));
     for (const auto& [key, end] : {std::pair{"vessel.rigid_inlet", tube.rigid_inlet},
                                    std::pair{"vessel.rigid_outlet", tube.rigid_outlet}})
         if (end < rigid_end_in_spacings * spacing)
-            values.problem(key, fmt::format("is {:.4g} R_0, under 2 grid spacings of {:.4g}: make "
-                                            "it longer or the spacing finer",
-                                            end, spacing));
+            values.problem(key, fmt::format("is {}, under 2 grid spacings of {}: make it longer or "
+                                            "the spacing finer",
+                                            words(key, end), words("grid.spacing", spacing)));
 }
 
 void check_duration(CaseValues& values, const Case& c)

@@ -106,12 +106,15 @@ CheckedValue step_value(const KeyRule& rule, const Value& value, UnitSystem syst
     }
 }
 
+std::string one_of(const std::vector<std::string_view>& choices)
+{
+    return fmt::format("one of \"{}\"", fmt::join(choices, "\", \""));
+}
+
 CheckedValue choice_value(const KeyRule& rule, const Value& value)
 {
     const auto* text = std::get_if<std::string>(&value);
-    if (!text)
-        fail(fmt::format("is {}; must be one of \"{}\"", describe(value),
-                         fmt::join(rule.choices, "\", \"")));
+    if (!text) fail(fmt::format("is {}; must be {}", describe(value), one_of(rule.choices)));
     for (std::string_view choice : rule.choices)
         if (*text == choice) return *text;
     fail(fmt::format("unknown name {}; {}", in_quotes(*text), suggestion(*text, rule.choices)));
@@ -129,7 +132,33 @@ CheckedValue counts_value(const KeyRule& rule, const Value& value)
     return std::array<Index, 3>{(*counts)[0], (*counts)[1], (*counts)[2]};
 }
 
+std::string what_a_measure_takes(const KeyRule& rule, UnitSystem system)
+{
+    const std::string scale = Scaling{}.unit(rule.quantity), range = rule.range.describe();
+    if (system == UnitSystem::dimensionless)
+        return fmt::format("a plain number in {}, {}", scale, range);
+    const bool any_scale = rule.range.min == 0 && !std::isfinite(rule.range.max);
+    return fmt::format("{} with a unit, in quotes ({}), {}{}", describe(dimension(rule.quantity)),
+                       usual_units(rule.quantity), range, any_scale ? "" : " " + scale);
+}
+
 } // namespace
+
+std::string what_it_takes(const KeyRule& rule, UnitSystem system)
+{
+    switch (rule.kind) {
+    case Kind::boolean: return "true or false";
+    case Kind::integer: return "a whole number " + rule.range.describe();
+    case Kind::number: return "a plain number " + rule.range.describe();
+    case Kind::measure: return what_a_measure_takes(rule, system);
+    case Kind::step: return what_a_measure_takes(rule, system) + ", or \"auto\"";
+    case Kind::seconds: return "a number of seconds, or a time with a unit, in quotes";
+    case Kind::text: return "text in quotes";
+    case Kind::choice: return one_of(rule.choices);
+    case Kind::counts: return "three whole numbers, each " + rule.range.describe();
+    }
+    return "";
+}
 
 CheckedValue check_value(const KeyRule& rule, const Value& value, UnitSystem system)
 {

@@ -13,6 +13,10 @@ namespace starling {
 /// long double, "auto" is a string.
 using CheckedValue = std::variant<bool, Index, long double, std::string, std::array<Index, 3>>;
 
+/// What a key takes, for messages: "a plain number from 0.5 to 1", `one of "single", "double"`, "a
+/// length with a unit, in quotes (nm, um, mm, m), greater than 0".
+std::string what_it_takes(const KeyRule& rule, UnitSystem system);
+
 /// Checks type, unit and, for measures in SI, sign. Throws std::invalid_argument that says what is
 /// wrong and what is allowed. Ranges are left to the caller: they need the scaling.
 CheckedValue check_value(const KeyRule& rule, const Value& value, UnitSystem system);

@@ -34,6 +34,17 @@ TEST(NearestName, FindsTypingErrorsAndNothingElse)
     EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+TEST(NearestName, FindsWordsInAnotherOrder)
+{
+    const std::vector<std::string_view> names = {"pressure_inlet", "pressure_outlet",
+                                                 "pressure_external", "neo-hookean"};
+    EXPECT_EQ(nearest_name("inlet_pressure", names), "pressure_inlet");
+    EXPECT_EQ(nearest_name("Outlet_Pressure", names), "pressure_outlet");
+    EXPECT_EQ(nearest_name("extrenal-pressure", names), "pressure_external");
+    EXPECT_EQ(nearest_name("hookean neo", names), "neo-hookean");
+    EXPECT_EQ(nearest_name("inlet_velocity", names), "");
+}
+
 TEST(InQuotes, IsSafeAndShort)
 {
     EXPECT_EQ(in_quotes("plain"), "\"plain\"");
