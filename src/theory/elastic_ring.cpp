@@ -129,7 +129,7 @@ public:
             ElasticRing next = rings_.back();
             next.tip_curvature += step;
             if (!close_ring(next) || next.tip_curvature > 10 * lobes)
-                throw NumericalError(0, 0, "the buckled ring could not be followed to contact",
+                throw NumericalError("the buckled ring could not be followed to contact",
                                      "fewer lobes");
             rings_.push_back(next);
         }
@@ -144,7 +144,8 @@ public:
         if (std::abs(tip_curvature - 1) < 1e-4) return rings_.front();
         ring.tip_curvature = tip_curvature;
         if (!close_ring(ring))
-            throw NumericalError(0, 0, "the equation of the buckled ring could not be solved", "");
+            throw NumericalError("the equation of the buckled ring could not be solved",
+                                 "fewer lobes");
         return ring;
     }
 
