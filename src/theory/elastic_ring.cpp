@@ -45,7 +45,7 @@ OutlinePoint position(const Along<Real>& y, Real c, Real p)
     return {outward * cosine - along * sine, outward * sine + along * cosine};
 }
 
-constexpr int steps_per_half_lobe = 400;
+constexpr int steps_per_half_lobe = 200;
 
 /// From the tip of a lobe to the waist.
 template <class T>
@@ -149,15 +149,24 @@ public:
         return ring;
     }
 
-    /// The ring at which `quantity`, a member that falls along the branch, has this value.
+    /// The ring at which `quantity`, a member that falls along the branch, has this value: false
+    /// position (Illinois) between the two rings around it.
     ElasticRing where(Real ElasticRing::*quantity, Real value) const
     {
-        Real low = 1, high = rings_.back().tip_curvature;
-        while (high - low > 1e-11 * high) {
-            const Real middle = (low + high) / 2;
-            (at_curvature(middle).*quantity > value ? low : high) = middle;
+        const auto above = std::find_if(rings_.begin() + 1, rings_.end() - 1,
+                                        [&](const auto& r) { return r.*quantity < value; });
+        ElasticRing low = *std::prev(above), high = *above, middle = low;
+        Real f_low = low.*quantity - value, f_high = high.*quantity - value;
+        for (int step = 0; step < 60 && high.tip_curvature - low.tip_curvature > 1e-12; ++step) {
+            middle = at_curvature((low.tip_curvature * f_high - high.tip_curvature * f_low) /
+                                  (f_high - f_low));
+            const Real f = middle.*quantity - value;
+            if (std::abs(f) < 1e-12) break;
+            (f > 0 ? low : high) = middle;
+            (f > 0 ? f_high : f_low) /= 2;
+            (f > 0 ? f_low : f_high) = f;
         }
-        return at_curvature((low + high) / 2);
+        return middle;
     }
 
     ElasticRing contact() const { return where(&ElasticRing::gap, 0); }
@@ -180,9 +189,13 @@ std::vector<ElasticRing> tube_law(int lobes, int count)
 
 ElasticRing ring_at_contact(int lobes) { return Branch(lobes).contact(); }
 
-ElasticRing ring_at_area(int lobes, Real area_ratio)
+std::vector<ElasticRing> rings_at_areas(int lobes, const std::vector<Real>& area_ratios)
 {
-    return Branch(lobes).where(&ElasticRing::area_ratio, area_ratio);
+    const Branch branch(lobes);
+    std::vector<ElasticRing> rings;
+    for (const Real area : area_ratios)
+        rings.push_back(branch.where(&ElasticRing::area_ratio, area));
+    return rings;
 }
 
 std::vector<OutlinePoint> outline(const ElasticRing& ring, int count)

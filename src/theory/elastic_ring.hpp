@@ -34,8 +34,14 @@ std::vector<ElasticRing> tube_law(int lobes, int count = 41);
 /// n >= 3 the two sides of a lobe, nearer to the centre than the tip.
 ElasticRing ring_at_contact(int lobes);
 
-/// The equilibrium of this area, A/A_0 between contact and 1. Throws as `tube_law`.
-ElasticRing ring_at_area(int lobes, Real area_ratio);
+/// The equilibria of these areas, A/A_0 between contact and 1. Throws as `tube_law`.
+std::vector<ElasticRing> rings_at_areas(int lobes, const std::vector<Real>& area_ratios);
+
+/// The equilibrium of one area.
+inline ElasticRing ring_at_area(int lobes, Real area_ratio)
+{
+    return rings_at_areas(lobes, {area_ratio}).front();
+}
 
 /// The whole outline, closed, at `count` equal distances along it.
 std::vector<OutlinePoint> outline(const ElasticRing& ring, int count);

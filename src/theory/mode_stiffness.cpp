@@ -73,6 +73,7 @@ Real radius_at(const Material& law, Real E_b, Real target)
 {
     constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
     constexpr int most_steps = 60;
+    constexpr Real converged = 1e-13; // of R; round-off of the tensions at R = 1 is 1e-16 G_s
     Real R = 1;
     for (int step = 0; step < most_steps; ++step) {
         const Dual p = pressure(law, E_b, R);
@@ -80,10 +81,9 @@ Real radius_at(const Material& law, Real E_b, Real target)
         const Real change = std::clamp((target - p.value) / p.d1, -0.1 * R, 0.1 * R);
         R += change;
         if (R < 0.2 || R > 5) return nan;
-        if (std::abs(change) < 1e-15) break;
+        if (std::abs(change) < converged) return R;
     }
-    return std::abs(pressure(law, E_b, R).value - target) <= 1e-12 * (1 + std::abs(target)) ? R
-                                                                                            : nan;
+    return nan;
 }
 
 } // namespace starling

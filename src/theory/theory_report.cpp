@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "theory/poiseuille.hpp"
+#include "theory/report_text.hpp"
 #include "theory/wave_speed.hpp"
 
 namespace starling {
@@ -53,25 +54,6 @@ void find_extremes(TheoryReport& r)
     for (std::size_t i = 1; i < t.x.size(); ++i)
         r.max_slope =
             std::max(r.max_slope, std::abs((t.R[i] - t.R[i - 1]) / (t.x[i] - t.x[i - 1])));
-}
-
-/// Appends "label   value unit".
-void add_line(std::string& text, std::string_view label, Real value, std::string_view unit = "")
-{
-    const std::string number = std::isnan(value) ? "none" : fmt::format("{:.6g}", value);
-    fmt::format_to(std::back_inserter(text), "  {:<44}{:>12}{}{}\n", label, number,
-                   unit.empty() ? "" : " ", unit);
-}
-
-/// A table cell 14 wide; "-" where there is no value.
-std::string cell(Real value)
-{
-    return std::isnan(value) ? fmt::format("{:>14}", "-") : fmt::format("{:>14.6g}", value);
-}
-
-std::string heading(std::string_view quantity, const std::string& unit)
-{
-    return fmt::format("{} [{}]", quantity, unit);
 }
 
 std::string case_text(const TheoryReport& r)

@@ -64,6 +64,16 @@ TEST(Buckling, FactorScalesWithTheLoad)
     EXPECT_TRUE(std::isnan(buckling_factor(tube, 2, {0.1, 0.2})));
 }
 
+TEST(Buckling, LoadsScaleWithTheModulus)
+{
+    for (const Real B : {1e-3, 1e-7})
+        for (const int n : {2, 3, 8}) {
+            const BucklingTube soft{Hooke{1, 0.5}, B, 10}, stiff{Hooke{4e4, 0.5}, 4e4 * B, 10};
+            const Real load = buckling_factor(soft, n, {0.1, -1});
+            EXPECT_NEAR(buckling_factor(stiff, n, {0.1, -1}), 4e4 * load, 1e-8 * 4e4 * load);
+        }
+}
+
 TEST(Buckling, GalerkinConvergesWithTheNumberOfTerms)
 {
     BucklingTube tube{NeoHookean{1}, 1e-3, 10};
