@@ -144,8 +144,7 @@ public:
         if (std::abs(tip_curvature - 1) < 1e-4) return rings_.front();
         ring.tip_curvature = tip_curvature;
         if (!close_ring(ring))
-            throw NumericalError("the equation of the buckled ring could not be solved",
-                                 "fewer lobes");
+            throw NumericalError("the equation of the buckled ring could not be solved", "");
         return ring;
     }
 
