@@ -4,10 +4,12 @@ namespace starling {
 
 namespace {
 
-/// Appends rings from the last one to x = `end`, about `spacing` apart, one exactly at the end.
+/// Appends rings from the last one to x = `end`, about `spacing` apart, one exactly at the end;
+/// none where the last one lies there already.
 void append_rings(std::vector<Real>& ring_x, Real end, Real spacing)
 {
     const Real begin = ring_x.back();
+    if (end <= begin) return; // no rigid part at this end
     const Index n = std::max<Index>(1, std::llround((end - begin) / spacing));
     for (Index m = 1; m < n; ++m)
         ring_x.push_back(begin + (end - begin) * static_cast<Real>(m) / static_cast<Real>(n));

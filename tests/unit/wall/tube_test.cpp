@@ -80,5 +80,17 @@ TEST(Tube, RigidTubeHasNoMovingVertices)
     EXPECT_EQ(tube.x_clamp_out(), 3);
 }
 
+TEST(Tube, WithoutARigidPartHasNoDoubledRing)
+{
+    for (const auto& [inlet, outlet] : {std::pair{0., 0.5}, {0.5, 0.}, {0., 0.}}) {
+        const Tube tube =
+            make_tube({.length = 3, .rigid_inlet = inlet, .rigid_outlet = outlet}, 0.2);
+        for (std::size_t r = 1; r < tube.ring_x.size(); ++r)
+            EXPECT_GT(tube.ring_x[r], tube.ring_x[r - 1] + 0.1) << inlet << " " << outlet;
+        EXPECT_EQ(tube.x_clamp_in(), inlet);
+        EXPECT_EQ(tube.x_clamp_out(), 3 - outlet);
+    }
+}
+
 } // namespace
 } // namespace starling
