@@ -3,7 +3,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "core/error.hpp"
@@ -14,12 +16,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Everything that a run and `starling plot` write.
-constexpr const char* result_files[] = {
-    "case.toml",    "summary.json", "series.csv",     "profile.csv",
-    "theory.csv",   "wall.h5",      "wall.xdmf",      "wall.xdmf.new",
-    "fluid.h5",     "fluid.xdmf",   "fluid.xdmf.new", "summary.json.new",
-    "profiles.png", "history.png",  "tube.png",       "flow.png"};
+/// Everything that a run and `starling plot` write; each may leave a NAME.new after a kill.
+constexpr const char* result_files[] = {"case.toml",  "summary.json", "series.csv",   "profile.csv",
+                                        "theory.csv", "wall.h5",      "wall.xdmf",    "fluid.h5",
+                                        "fluid.xdmf", "tube.png",     "profiles.png", "history.png",
+                                        "flow.png"};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
@@ -27,11 +28,38 @@ constexpr const char* lock_file = ".starling.lock";
     throw InputError("output directory " + path.string() + ": " + reason);
 }
 
+std::string leftover(const char* name) { return std::string(name) + ".new"; }
+
+bool is_there(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
+
 const char* first_result(const fs::path& path)
 {
     for (const char* name : result_files)
-        if (fs::exists(path / name)) return name;
+        if (is_there(path / name)) return name;
     return nullptr;
+}
+
+bool written_by_a_run(const fs::path& case_file)
+{
+    std::ifstream stream(case_file);
+    std::string line;
+    return std::getline(stream, line) && line.starts_with(written_case_mark);
+}
+
+/// Refuses to remove what no run has written.
+void check_removal(const fs::path& path, const fs::path& name, const fs::path& case_file)
+{
+    const fs::path file = path / name;
+    const fs::file_status status = fs::symlink_status(file);
+    if (!fs::exists(status)) return;
+    if (!fs::is_regular_file(status) && !fs::is_symlink(status))
+        refuse(path, name.string() + " in it is no file of a run; move it away");
+    std::error_code none;
+    if (!case_file.empty() && fs::equivalent(file, case_file, none))
+        refuse(path, name.string() + " in it is the case file itself, which the run would replace; "
+                                     "copy it to another place and run that");
+    if (name == "case.toml" && !written_by_a_run(file))
+        refuse(path, "case.toml in it was not written by a run and would be lost; move it away");
 }
 
 void make(const fs::path& path)
@@ -41,21 +69,42 @@ void make(const fs::path& path)
     if (error) refuse(path, "cannot be created: " + error.message());
 }
 
+/// The file at `path` is still the open one: a run that ends removes its lock file.
+bool is_at(int file, const fs::path& path)
+{
+    struct stat opened = {}, found = {};
+    return fstat(file, &opened) == 0 && stat(path.c_str(), &found) == 0 &&
+           opened.st_dev == found.st_dev && opened.st_ino == found.st_ino;
+}
+
 /// Returns the descriptor of the locked file. The kernel drops the lock when the process ends,
 /// however it ends.
 int lock(const fs::path& path)
 {
-    const int file = open((path / lock_file).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-    if (file < 0) refuse(path, std::string("cannot be written to: ") + std::strerror(errno));
-    if (flock(file, LOCK_EX | LOCK_NB) == 0) return file;
+    const fs::path name = path / lock_file;
+    while (true) {
+        const int file = open(name.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+        if (file < 0) refuse(path, std::string("cannot be written to: ") + std::strerror(errno));
+        const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+        if (locked && is_at(file, name)) return file;
+        close(file);
+        if (!locked)
+            refuse(path, "another run is writing to it; choose another directory or wait for that "
+                         "run");
+    }
+}
+
+void unlock(const fs::path& path, int file)
+{
+    unlink((path / lock_file).c_str());
     close(file);
-    refuse(path, "another run is writing to it; choose another directory or wait for that run");
 }
 
 } // namespace
 
-void RunDirectory::check(const fs::path& path, bool force)
+void RunDirectory::check(const RunDirectoryOptions& options)
 {
+    const fs::path& path = options.path;
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (error && status.type() != fs::file_type::not_found) refuse(path, error.message());
@@ -63,23 +112,32 @@ void RunDirectory::check(const fs::path& path, bool force)
     if (!fs::is_directory(status)) refuse(path, "is a file, not a directory");
     if (access(path.c_str(), W_OK | X_OK) != 0)
         refuse(path, std::string("cannot be written to: ") + std::strerror(errno));
-    if (const char* name = force ? nullptr : first_result(path))
+    if (const char* name = options.force ? nullptr : first_result(path))
         refuse(path, std::string("holds results of an earlier run (") + name +
                          "); choose another directory, or --force to replace them");
+    for (const char* name : result_files) {
+        check_removal(path, name, options.case_file);
+        check_removal(path, leftover(name), options.case_file);
+    }
 }
 
-RunDirectory::RunDirectory(fs::path path, bool force) : path_(std::move(path))
+RunDirectory::RunDirectory(const RunDirectoryOptions& options) : path_(options.path)
 {
-    check(path_, force);
+    check(options);
     make(path_);
     lock_ = lock(path_);
-    for (const char* name : result_files) fs::remove(path_ / name);
+    try {
+        check(options); // another run may have begun and ended meanwhile
+        for (const char* name : result_files) {
+            fs::remove(path_ / name);
+            fs::remove(path_ / leftover(name));
+        }
+    } catch (...) {
+        unlock(path_, lock_);
+        throw;
+    }
 }
 
-RunDirectory::~RunDirectory()
-{
-    unlink((path_ / lock_file).c_str());
-    close(lock_);
-}
+RunDirectory::~RunDirectory() { unlock(path_, lock_); }
 
 } // namespace starling

@@ -1,22 +1,34 @@
 #pragma once
 /// The directory that a run writes to: one run at a time, results never overwritten unasked.
 #include <filesystem>
+#include <string>
 
 namespace starling {
+
+/// First line of a case.toml that a run has written; without it the file is the user's own.
+inline constexpr const char* written_case_mark = "# Written by starling run";
+
+/// What a run is to do with its directory.
+struct RunDirectoryOptions {
+    std::filesystem::path path;
+    bool force = false;              ///< remove the results of an earlier run
+    std::filesystem::path case_file; ///< the user's case file, never to be removed; may be empty
+};
 
 /// Holds the directory of a run for as long as it lives.
 class RunDirectory {
 public:
     /// Creates the directory where needed and locks it against other runs. With `force`, files of
-    /// an earlier run are removed, and nothing else. Throws InputError, having changed nothing,
-    /// where it holds results (without `force`), is in use by another run or cannot be written.
-    RunDirectory(std::filesystem::path path, bool force);
+    /// an earlier run are removed (of links the link), and nothing else. Throws InputError, having
+    /// changed nothing, where it holds results (without `force`), a directory or the user's case
+    /// file under the name of a result, is in use by another run or cannot be written.
+    explicit RunDirectory(const RunDirectoryOptions& options);
     ~RunDirectory();
     RunDirectory(const RunDirectory&) = delete;
     RunDirectory& operator=(const RunDirectory&) = delete;
 
     /// The refusals of the constructor that need no writing, for a look before a long set-up.
-    static void check(const std::filesystem::path& path, bool force);
+    static void check(const RunDirectoryOptions& options);
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path file(const char* name) const { return path_ / name; }
