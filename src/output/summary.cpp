@@ -1,5 +1,7 @@
 #include "output/summary.hpp"
 
+#include <limits>
+
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
@@ -82,6 +84,13 @@ void put_cost(Json& json, Json& units, const Summary& s)
 
 } // namespace
 
+Real leak_over_Q(const Sample& s)
+{
+    constexpr Real least_flow = 1e-6;
+    const Real Q = std::max(std::abs(s.Q_in), std::abs(s.Q_out));
+    return Q < least_flow ? std::numeric_limits<Real>::quiet_NaN() : s.leak / Q;
+}
+
 std::string summary_json(const Summary& summary, const Scaling& scaling)
 {
     Json json, units;
@@ -93,6 +102,7 @@ std::string summary_json(const Summary& summary, const Scaling& scaling)
     json["theory"] = theory_json(summary, scaling);
     units["theory.Q_1d"] = scaling.unit(Quantity::flow_rate);
     units["theory.R_max_1d"] = scaling.unit(Quantity::length);
+    json["warnings"] = summary.warnings;
     put_cost(json, units, summary);
     json["version"] = summary.version;
     json["units"] = units;

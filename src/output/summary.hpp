@@ -15,6 +15,9 @@ struct TheoryValues {
     Real R_max = 0;
 };
 
+/// leak over the larger of |Q_in| and |Q_out|; NaN without flow (both below 1e-6 R_0^2 U_c).
+Real leak_over_Q(const Sample& s);
+
 /// What a run came to. Numbers are in solver units.
 struct Summary {
     std::string title;
@@ -30,9 +33,10 @@ struct Summary {
     std::string version;
     std::vector<std::pair<std::string, double>> phase_seconds;
     std::optional<TheoryValues> theory;
+    std::vector<std::string> warnings; ///< what to know before the numbers are used
 
     Real Q_mid_over_Q0() const { return last.Q_mid / Q_0; }
-    Real leak_over_Q() const { return last.leak / last.Q_mid; }
+    Real leak_over_Q() const { return starling::leak_over_Q(last); }
 };
 
 /// (value - reference) / reference.

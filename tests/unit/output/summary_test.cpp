@@ -19,12 +19,30 @@ Summary example()
     s.reason = "steady";
     s.last.t = 3;
     s.last.step = 40;
-    s.last.Q_mid = pi;
+    s.last.Q_in = s.last.Q_mid = s.last.Q_out = pi;
     s.last.R_max = 1.22;
     s.last.leak = -pi / 100;
     s.theory = TheoryValues{pi / 1.01, 1.2};
     s.phase_seconds = {{"momentum", 1.5}};
     return s;
+}
+
+TEST(Summary, HasNoLeakOverAFlowThatIsNone)
+{
+    Summary s = example();
+    s.last.Q_in = 1e-9;
+    s.last.Q_mid = s.last.Q_out = 0;
+    EXPECT_TRUE(nlohmann::json::parse(summary_json(s, Scaling{}))["leak_over_Q"].is_null());
+    s.last.Q_in = -2 * pi; // filled from both ends: nothing passes the middle
+    EXPECT_DOUBLE_EQ(s.leak_over_Q(), -0.005);
+}
+
+TEST(Summary, ListsWarnings)
+{
+    Summary s = example();
+    EXPECT_TRUE(nlohmann::json::parse(summary_json(s, Scaling{}))["warnings"].empty());
+    s.warnings = {"a leak"};
+    EXPECT_EQ(nlohmann::json::parse(summary_json(s, Scaling{}))["warnings"][0], "a leak");
 }
 
 TEST(Summary, HoldsWhatScriptsRelyOn)
