@@ -22,7 +22,7 @@ void run_command(const CommandLine& line)
     if (line.threads > 0) omp_set_num_threads(line.threads);
     const Case c = read_case(line.case_file, line.overrides);
     catch_stop_signals();
-    const RunOptions options{line.directory, line.force};
+    const RunOptions options{line.directory, line.force, line.case_file};
     if (line.quiet) {
         QuietObserver observer;
         run(c, options, observer);

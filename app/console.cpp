@@ -34,7 +34,11 @@ std::string clock_text(double seconds)
     return fmt::format("{}h{:02}", whole / 3600, whole % 3600 / 60);
 }
 
-Real leak_percent(const Sample& s) { return s.Q_mid == 0 ? 0 : 100 * s.leak / s.Q_mid; }
+Real leak_percent(const Sample& s)
+{
+    const Real leak = leak_over_Q(s);
+    return std::isfinite(leak) ? 100 * leak : 0;
+}
 
 } // namespace
 

@@ -64,7 +64,9 @@ void add_results(Table& table, const Summary& s)
                            table.bare_number(last.Q_mid, Quantity::flow_rate),
                            table.number(last.Q_out, Quantity::flow_rate)));
     table.line("flow rate over undeformed tube's", s.Q_mid_over_Q0());
-    table.line("leak through the wall", fmt::format("{:.2f} % of the flow", 100 * s.leak_over_Q()));
+    if (std::isfinite(s.leak_over_Q()))
+        table.line("leak through the wall",
+                   fmt::format("{:.2f} % of the flow", 100 * s.leak_over_Q()));
     table.line("largest radius", table.number(last.R_max, Quantity::length) +
                                      " at x = " + table.number(last.x_R_max, Quantity::length));
     table.line("largest strain", fmt::format("{:.2f} %", 100 * last.max_strain));
@@ -82,10 +84,18 @@ std::string theory_text(const Summary& s)
     std::string text =
         fmt::format("{:<36}{:>12}{:>12}{:>13}\n", "Against the one-dimensional model", "run",
                     "model", "difference");
-    text += comparison("flow rate Q/Q_0", s.Q_mid_over_Q0(), s.theory->Q / s.Q_0);
+    if (s.theory->Q != 0)
+        text += comparison("flow rate Q/Q_0", s.Q_mid_over_Q0(), s.theory->Q / s.Q_0);
     if (std::abs(s.theory->R_max - 1) > 1e-9)
         text +=
             comparison("largest displacement R_max/R_0 - 1", s.last.R_max - 1, s.theory->R_max - 1);
+    return text;
+}
+
+std::string warning_text(const std::vector<std::string>& warnings)
+{
+    std::string text;
+    for (const std::string& w : warnings) text += "Warning: " + w + "\n";
     return text;
 }
 
@@ -174,7 +184,8 @@ std::string summary_text(const Summary& summary, const Case& c,
                               summary.last.step, table.number(summary.last.t, Quantity::time)));
     add_speed(table, summary);
     add_results(table, summary);
-    return table.text() + theory_text(summary) + phase_text(summary) + files_text(c, directory);
+    return table.text() + theory_text(summary) + warning_text(summary.warnings) +
+           phase_text(summary) + files_text(c, directory);
 }
 
 std::string check_text(const Case& c, const RunEstimate& estimate)
@@ -188,7 +199,7 @@ std::string check_text(const Case& c, const RunEstimate& estimate)
     add_limits(table, c, estimate);
     table.heading("Expected cost");
     add_cost(table, c, estimate);
-    return table.text() + "The case is valid.\n";
+    return table.text() + warning_text(estimate.warnings) + "The case is valid.\n";
 }
 
 std::string case_list_text()

@@ -1,7 +1,9 @@
 #include "simulation/estimate.hpp"
 
 #include <algorithm>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "core/error.hpp"
 #include "grid/grid.hpp"
@@ -41,6 +43,13 @@ void count_wall(RunEstimate& e, const Case& c, Real delta)
     e.elements = static_cast<Index>(2 * ring * rows);
 }
 
+std::string factor_text(Real factor)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << factor;
+    return text.str();
+}
+
 void choose_step(RunEstimate& e, const Case& c, Real delta)
 {
     e.limits = time_step_limits(c, delta, expected_speed(c));
@@ -49,6 +58,11 @@ void choose_step(RunEstimate& e, const Case& c, Real delta)
     else if (!e.limits.empty())
         e.binding = smallest(e.limits);
     e.dt = e.binding.dt;
+    for (const TimeStepLimit& limit : e.limits)
+        if (c.time.step && *c.time.step > limit.dt)
+            e.warnings.push_back("the fixed time step is " + factor_text(*c.time.step / limit.dt) +
+                                 " times the limit named " + limit.name +
+                                 ": the run may break down");
 }
 
 Real expected_duration(const Case& c, Real dt)

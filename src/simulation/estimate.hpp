@@ -22,6 +22,7 @@ struct RunEstimate {
     Real duration = 0; ///< of the run, up to the first stop criterion
     Real steps = 0;
     Real seconds = 0; ///< at `assumed_cell_steps_per_second`
+    std::vector<std::string> warnings;
 };
 
 inline constexpr Real assumed_cell_steps_per_second = 10e6;

@@ -1,7 +1,9 @@
 #include "simulation/run.hpp"
 
 #include <chrono>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "config/write_case.hpp"
 #include "core/error.hpp"
@@ -20,6 +22,8 @@ namespace starling {
 namespace {
 
 constexpr Real largest_theory_reynolds = 1; ///< the one-dimensional model has no inertia
+constexpr Real closest_targets = 0.25;      ///< in steps: times nearer to each other are one
+constexpr Real leak_to_warn_of = 0.02;      ///< share of the flow
 
 std::optional<TheoryReport> theory_of(const Case& c)
 {
@@ -31,14 +35,26 @@ std::optional<TheoryReport> theory_of(const Case& c)
     }
 }
 
-/// Tells when a frame is due: at t = 0 and whenever another `every` has passed.
+std::string percent_text(Real share)
+{
+    std::ostringstream text;
+    text << std::setprecision(3) << 100 * share << " %";
+    return text.str();
+}
+
+/// The times at which frames are due: 0 and the multiples of `every`.
 class Schedule {
 public:
     explicit Schedule(std::optional<Real> every) : every_(every) {}
-    bool due(Real t)
+    /// Time of the next frame; infinite where only the first and last states are wanted.
+    Real next() const { return every_ ? next_ : std::numeric_limits<Real>::infinity(); }
+    /// Whether a frame is due at t; one due within a quarter of a step counts.
+    bool due(Real t, Real dt)
     {
-        if (!every_ || t < next_) return false;
-        next_ = *every_ * (std::floor(t / *every_) + 1);
+        if (!every_) return false;
+        const Real slack = closest_targets * std::min(dt, *every_);
+        if (t < next_ - slack) return false;
+        next_ = *every_ * (std::floor((t + slack) / *every_) + 1);
         return true;
     }
 
@@ -51,11 +67,12 @@ private:
 class RunFiles {
 public:
     RunFiles(const Case& c, const RunOptions& options)
-        : case_(c), directory_(options.directory, options.force),
+        : case_(c), directory_({options.directory, options.force, options.case_file}),
           series_(directory_.file("series.csv"), c.scaling), wall_due_(c.output.wall_every),
           fluid_due_(c.output.fluid_every)
     {
-        replace_file(directory_.file("case.toml"), write_case(c));
+        replace_file(directory_.file("case.toml"),
+                     written_case_mark + (": every default filled in\n" + write_case(c)));
     }
 
     void theory(const TheoryReport& report)
@@ -66,9 +83,11 @@ public:
     /// Wall and fluid frames that are due now.
     void fields(const Simulation& simulation)
     {
-        if (wall_due_.due(simulation.time())) wall(simulation);
-        if (fluid_due_.due(simulation.time())) fluid(simulation);
+        if (wall_due_.due(simulation.time(), simulation.dt())) wall(simulation);
+        if (fluid_due_.due(simulation.time(), simulation.dt())) fluid(simulation);
     }
+    /// Time of the next frame.
+    Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation)
     {
         if (simulation.steps() != wall_step_) wall(simulation);
@@ -77,8 +96,8 @@ public:
     void finish(const Simulation& simulation)
     {
         write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
-        if (simulation.steps() != wall_step_) wall(simulation);
-        if (simulation.steps() != fluid_step_) fluid(simulation);
+        if (simulation.steps() > wall_step_) wall(simulation);
+        if (simulation.steps() > fluid_step_) fluid(simulation);
     }
     void summary(const Summary& s)
     {
@@ -131,7 +150,7 @@ public:
             while (!stop_.reason()) step();
             if (last_.step != simulation_.steps()) take_sample();
         } catch (const NumericalError& e) {
-            files_.summary(summary(std::string("numerical error: ") + e.what(), false));
+            end_broken_down(e);
             throw;
         }
         files_.finish(simulation_);
@@ -151,9 +170,26 @@ private:
         files_.first_wall(simulation_);
     }
 
+    /// Leaves the results of the last sound state.
+    void end_broken_down(const NumericalError& e)
+    {
+        simulation_.back_to_good();
+        last_ = simulation_.sample();
+        files_.finish(simulation_);
+        files_.summary(summary(std::string("numerical error: ") + e.what(), false));
+    }
+
+    /// The next time that a step must end at.
+    Real target() const
+    {
+        const Real end = case_.stop.end_time.value_or(std::numeric_limits<Real>::infinity());
+        const Real frame = files_.next_frame();
+        return frame < end - closest_targets * simulation_.dt() ? frame : end;
+    }
+
     void step()
     {
-        simulation_.step();
+        simulation_.step(target());
         if (simulation_.steps() % case_.output.sample_every == 0) take_sample();
         files_.fields(simulation_);
         stop_.check(moment());
@@ -195,7 +231,20 @@ private:
         for (const PhaseTime& p : simulation_.phase_times())
             s.phase_seconds.emplace_back(p.name, p.seconds);
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
+        s.warnings = warnings(s);
         return s;
+    }
+
+    std::vector<std::string> warnings(const Summary& s) const
+    {
+        std::vector<std::string> found;
+        if (std::abs(s.leak_over_Q()) > leak_to_warn_of)
+            found.push_back("the leak through the wall is " + percent_text(s.leak_over_Q()) +
+                            " of the flow: a finer grid lets less through");
+        if (s.theory && !s.converged)
+            found.push_back("the run ended before it was found steady; the one-dimensional model "
+                            "is steady");
+        return found;
     }
 
     using Clock = std::chrono::steady_clock;
@@ -221,7 +270,8 @@ bool has_theory(const Case& c)
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)
 {
-    RunDirectory::check(options.directory, options.force); // before a set-up that takes long
+    RunDirectory::check(
+        {options.directory, options.force, options.case_file}); // before a set-up that takes long
     return Run(c, options, observer).execute();
 }
 

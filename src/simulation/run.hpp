@@ -9,7 +9,8 @@ namespace starling {
 
 struct RunOptions {
     std::filesystem::path directory;
-    bool force = false; ///< replace results of an earlier run
+    bool force = false;              ///< replace results of an earlier run
+    std::filesystem::path case_file; ///< where the case comes from; never replaced; may be empty
 };
 
 /// What is known before the first step.
@@ -42,7 +43,7 @@ public:
 /// Runs a case and writes DIR/case.toml, series.csv, profile.csv, theory.csv, summary.json and the
 /// wall and fluid fields (docs/results.md). Throws InputError, with nothing written, where the case
 /// or the directory does not do; NumericalError where the computation breaks down, with the series
-/// and a summary up to there written; std::runtime_error where a file cannot be written.
+/// up to there and the last sound state written; std::runtime_error where a file cannot be written.
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer);
 
 /// Whether the one-dimensional model describes the case: steady inflation at low Re, or a rigid

@@ -1,8 +1,12 @@
 #include "simulation/simulation.hpp"
 
+#include <limits>
+#include <stdexcept>
+
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/for_each.hpp"
 #include "solver/advance.hpp"
 #include "solver/monitor.hpp"
 
@@ -15,13 +19,15 @@ Tube make_tube(const Case& c, const Grid& g)
     return make_tube(c.tube, c.tube.edge_over_spacing * g.delta());
 }
 
-/// The filter works as fast as waves of the grid's scale relax, within about 8 eps Delta.
+/// The filter works as fast as waves of the grid's scale relax.
 Real filter_rate(const Case& c, Real delta)
 {
-    return c.tube.mesh_filter / (8 * c.material.eps * delta);
+    return c.tube.mesh_filter / grid_wave_time(c, delta);
 }
 
 constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
+constexpr Index steps_between_copies = 50; ///< of a sound state
+constexpr Real largest_move = 0.5;         ///< of the wall in a step, in grid spacings
 
 } // namespace
 
@@ -34,16 +40,20 @@ struct Simulation::Impl {
     State state;
     Monitor monitor;
     std::vector<TimeStepLimit> limits;
+    State good; ///< the last state found sound
+    Real good_cfl = 0;
+    int threads = max_threads(); ///< scratch memory is made for so many
 
     explicit Impl(const Case& c)
         : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
           op(grid, tube, make_material(c.material, c.fluid.reynolds), c.fluid, c.drive,
              c.coupling.scheme, filter_rate(c, grid.delta())),
           workspace(grid, tube), state(grid, tube),
-          monitor(grid, tube, op.elastic, c.fluid.reynolds)
+          monitor(grid, tube, op.elastic, c.fluid.reynolds), good(grid, tube)
     {
         initialise(state, op);
         choose_step(std::abs(c.pressure_ratio()));
+        good = state;
     }
 
     /// The fixed step, or the automatic one: it follows its limits down at once and up in jumps
@@ -62,8 +72,18 @@ struct Simulation::Impl {
     {
         const SpeedCheck check = check_speed(grid, state.fluid.u, state.dt);
         if (!std::isfinite(check.u_max))
-            fail("the velocity is not finite" + first_bad_face(), smaller_step());
+            fail("the velocity is not finite" + first_bad_face(), shorter_step());
         choose_step(std::max(check.u_max, std::abs(description.pressure_ratio())));
+        if (state.step % steps_between_copies == 0) keep_if_sound(check.cfl);
+    }
+
+    /// A state that is about to blow up shows it by its speed.
+    void keep_if_sound(Real cfl)
+    {
+        if (cfl > std::max(Real{1}, 2 * good_cfl) || farthest_move().spacings > largest_move)
+            return;
+        good = state;
+        good_cfl = cfl;
     }
 
     std::string first_bad_face() const
@@ -97,31 +117,90 @@ struct Simulation::Impl {
                              remedy);
     }
 
-    std::string smaller_step() const
+    /// What to try when the step was too long.
+    std::string shorter_step() const
     {
-        return description.time.step ? "a smaller time step (--set time.step=auto)"
-                                     : "a smaller time step (--set time.safety=0.5)";
+        if (!description.time.step) return "a smaller time step (--set time.safety=0.5)";
+        const TimeStepLimit& limit = smallest(limits);
+        const Scaling& scaling = description.scaling;
+        return fmt::format("a smaller time step (--set time.step=auto; the limit named {} is "
+                           "{:.3g} {})",
+                           limit.name, limit.dt * scaling.factor(Quantity::time),
+                           scaling.unit(Quantity::time));
     }
 
     /// Where the wall has gone wrong, as a NumericalError.
     [[noreturn]] void report_wall() const
     {
+        report_lost_vertex();
+        report_long_step();
+        report_side_of_box();
+        fail("the nodes beside the wall cannot be told apart as inside and outside",
+             shorter_step() + ", or a finer grid");
+    }
+
+    void report_lost_vertex() const
+    {
         for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
-            const Vec3 &p = state.wall.x[v], h = grid.spacing(), low = grid.origin(),
-                       size = grid.lengths();
+            const Vec3& p = state.wall.x[v];
             if (!std::isfinite(p.y) || !std::isfinite(p.z))
-                fail("a wall vertex is not finite at " + describe(p), smaller_step());
+                fail("a wall vertex is not finite at " +
+                         describe(tube.X[static_cast<std::size_t>(v)]),
+                     shorter_step());
+        }
+    }
+
+    /// The vertex that went farthest in the last step.
+    struct Move {
+        Real spacings = 0;
+        VertexIndex vertex = 0;
+    };
+    Move farthest_move() const
+    {
+        Move most;
+        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
+            const Real moved = norm(state.wall.velocity[v]) * state.fluid.dt_before / grid.delta();
+            if (moved > most.spacings) most = {moved, v};
+        }
+        return most;
+    }
+
+    /// A wall that is driven to the side of the box moves slowly; one that a step too long throws
+    /// there does not.
+    void report_long_step() const
+    {
+        const Move most = farthest_move();
+        if (most.spacings > largest_move)
+            fail(
+                fmt::format("the wall moved by {:.2g} grid spacings in one step at {}: the step is "
+                            "too long",
+                            most.spacings, describe(state.wall.x[most.vertex])),
+                shorter_step());
+        if (description.time.step && state.dt > smallest(limits).dt)
+            fail("the wall is lost: the fixed step is too long", shorter_step());
+    }
+
+    void report_side_of_box() const
+    {
+        const Vec3 h = grid.spacing(), low = grid.origin(), size = grid.lengths();
+        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v) {
+            const Vec3& p = state.wall.x[v];
             if (p.y < low.y + 2 * h.y || p.y > low.y + size.y - 2 * h.y || p.z < low.z + 2 * h.z ||
                 p.z > low.z + size.z - 2 * h.z)
                 fail("the wall has reached the side of the box at " + describe(p),
-                     "a wider box (grid.width_y, grid.width_z), or " + smaller_step());
+                     "a wider box (grid.width_y, grid.width_z)");
         }
-        fail("the wall moved by more than a grid spacing in one step", smaller_step());
     }
 
-    void step()
+    /// One step of at most state.dt; ends exactly at `until` if it gets there.
+    void step(Real until)
     {
-        if (!advance(state, op, workspace, state.dt)) report_wall();
+        if (max_threads() > threads)
+            throw std::logic_error("a simulation cannot use more threads than it was built with");
+        const Real remaining = until - state.t;
+        const Real dt = std::isfinite(until) ? step_towards(remaining, state.dt) : state.dt;
+        if (!advance(state, op, workspace, dt)) report_wall();
+        if (dt >= remaining) state.t = until;
         if (state.step % steps_between_checks == 0) check_speed_and_step();
     }
 };
@@ -130,7 +209,8 @@ Simulation::Simulation(const Case& c) : impl_(std::make_unique<Impl>(c)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
-void Simulation::step() { impl_->step(); }
+void Simulation::step(Real until) { impl_->step(until); }
+void Simulation::back_to_good() { impl_->state = impl_->good; }
 Real Simulation::time() const { return impl_->state.t; }
 Index Simulation::steps() const { return impl_->state.step; }
 Real Simulation::dt() const { return impl_->state.dt; }
@@ -143,7 +223,7 @@ Sample Simulation::sample()
 {
     const Sample s = impl_->monitor.sample(impl_->state);
     if (!std::isfinite(s.Q_mid) || !std::isfinite(s.volume))
-        impl_->fail("the flow rate is not finite" + impl_->first_bad_face(), impl_->smaller_step());
+        impl_->fail("the flow rate is not finite" + impl_->first_bad_face(), impl_->shorter_step());
     return s;
 }
 

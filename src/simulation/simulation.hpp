@@ -1,5 +1,6 @@
 #pragma once
 /// One run in memory: Case -> grid, wall and operators; steps; what can be asked of it. No files.
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,12 +24,17 @@ public:
     ~Simulation();
     Simulation(Simulation&&) noexcept;
 
-    /// One time step; throws NumericalError on a non-finite value or a wall that leaves the box.
-    void step();
+    /// One time step of at most dt(), shortened so that equal steps end exactly at the time
+    /// `until` (> time()). Throws NumericalError on a non-finite value or a wall that is lost;
+    /// std::logic_error with more threads than the simulation was built with.
+    void step(Real until = std::numeric_limits<Real>::infinity());
+
+    /// Returns to the last state that was found sound, at most about 50 steps back.
+    void back_to_good();
 
     Real time() const;
     Index steps() const;
-    Real dt() const;                       ///< step the next call of step() takes
+    Real dt() const;                       ///< longest step the next call of step() takes
     const TimeStepLimit& limiting() const; ///< the bound that sets dt
     Index cells() const;
     Index vertices() const;

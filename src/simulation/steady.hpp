@@ -7,12 +7,14 @@
 
 namespace starling {
 
-/// Time in which a deviation from the steady state falls by a factor e: 0.4 eps L^2 for a compliant
-/// tube (measured), Re/j_0^2 for a rigid one (slowest mode of start-up flow, j_0 = 2.405).
+/// Time in which a deviation from the steady state falls by a factor e. Rigid tube: Re/j_0^2, the
+/// slowest mode of start-up flow (j_0 = 2.405). Compliant tube: that or, if it is longer, the decay
+/// of the slowest wave along the tube; for Hooke's law with nu_s = 1/2 and little inertia that is
+/// (4/pi^2) eps L^2.
 Real relaxation_time(const Case& c);
 
-/// Time over which the criterion looks back: a quarter of the relaxation time of a compliant tube,
-/// Re for a rigid one.
+/// Time over which the criterion looks back. Compliant tube: a quarter of the relaxation time, or
+/// half a period of the slowest wave where it oscillates; rigid tube: Re.
 Real steady_window(const Case& c);
 
 /// Watches samples over a sliding window of time. Steady means, with tolerance tol:

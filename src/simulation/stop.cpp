@@ -13,7 +13,8 @@ constexpr Real part_of_a_step = 1e-6; ///< an end time missed by less counts as 
 
 } // namespace
 
-StopCriteria::StopCriteria(const Case& c) : stop_(c.stop), window_(steady_window(c))
+StopCriteria::StopCriteria(const Case& c)
+    : stop_(c.stop), window_(steady_window(c)), relaxation_(relaxation_time(c))
 {
     if (stop_.steady_tolerance) steady_.emplace(*stop_.steady_tolerance, window_);
 }
@@ -45,11 +46,14 @@ void StopCriteria::interrupt()
 
 Real StopCriteria::time_to_steady() const
 {
-    if (decay_.size() < 2) return unknown;
+    if (decay_.empty()) return unknown;
     const Point& last = decay_.back();
     auto first = decay_.rbegin();
     while (first + 1 != decay_.rend() && first->t > last.t - decay_windows * window_) ++first;
-    const Real rate = std::log(first->measure / last.measure) / (last.t - first->t);
+    // what is expected counts as much as what was seen over two windows
+    const Real expected = 2 * window_ / relaxation_;
+    const Real rate =
+        (expected + std::log(first->measure / last.measure)) / (2 * window_ + last.t - first->t);
     return rate > 0 ? std::max(std::log(last.measure), Real{0}) / rate : unknown;
 }
 

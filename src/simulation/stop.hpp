@@ -37,7 +37,8 @@ public:
     double seconds_left(const Moment& now) const;
 
 private:
-    /// Time left until the steady criterion is met if its measure goes on to fall as it did.
+    /// Time left until the steady criterion is met if its measure goes on to fall as it did, and
+    /// as is expected of the case.
     Real time_to_steady() const;
 
     struct Point {
@@ -46,7 +47,7 @@ private:
 
     StopParameters stop_;
     std::optional<SteadyCriterion> steady_;
-    Real window_;
+    Real window_, relaxation_;
     std::vector<Point> decay_; ///< finite measures of the steady criterion so far
     std::optional<std::string> reason_;
 };

@@ -4,6 +4,12 @@
 
 namespace starling {
 
+namespace {
+
+constexpr Real part_of_a_step = 1e-6; ///< differences below are round-off
+
+} // namespace
+
 std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max)
 {
     const Real Re = c.fluid.reynolds, theta = c.fluid.theta, safety = c.time.safety;
@@ -13,8 +19,9 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
     // feel shorter, stiffer waves: with them the wall begins to tremble at 8 eps Delta.
     if (!c.tube.rigid) {
         const Real narrow = c.coupling.scheme == CouplingScheme::conserving ? 0.625 : 1;
-        limits.push_back({"membrane stiffness",
-                          safety * narrow * (theta > 0.75 ? 8 : 2.5) * c.material.eps * spacing});
+        const Real scheme = theta > 0.75 ? 1 : 2.5 / 8;
+        limits.push_back(
+            {"membrane stiffness", safety * narrow * scheme * grid_wave_time(c, spacing)});
     }
     // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
     // u^2 dt < 2/Re, so the CFL number may rise to 0.5.
@@ -32,6 +39,16 @@ const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits)
 {
     return *std::min_element(limits.begin(), limits.end(),
                              [](const auto& a, const auto& b) { return a.dt < b.dt; });
+}
+
+Real grid_wave_time(const Case& c, Real spacing) { return 8 * c.material.eps * spacing; }
+
+Real step_towards(Real remaining, Real dt)
+{
+    const Real steps = std::ceil(remaining / dt - part_of_a_step);
+    if (steps <= 1) return remaining;
+    const Real equal = remaining / steps;
+    return std::abs(equal - dt) < part_of_a_step * dt ? dt : equal;
 }
 
 } // namespace starling

@@ -20,4 +20,11 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
 /// The binding one of a list that is not empty.
 const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits);
 
+/// Time in which waves of the wall as short as the grid spacing relax: about 8 eps Delta.
+Real grid_wave_time(const Case& c, Real spacing);
+
+/// A step of at most `dt` (to within a millionth) such that equal steps lead to a time `remaining`
+/// (> 0) from now; `remaining` itself if one step does.
+Real step_towards(Real remaining, Real dt);
+
 } // namespace starling

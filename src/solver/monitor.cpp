@@ -126,7 +126,7 @@ Sample Monitor::sample(const State& s)
     Sample a;
     a.t = s.t;
     a.step = s.step;
-    a.dt = s.dt;
+    a.dt = s.fluid.dt_before > 0 ? s.fluid.dt_before : s.dt;
     const ScalarField& u = s.fluid.u[Location::u];
     a.Q_in = section_flow_.inside(u, x, 0);
     a.Q_mid = section_flow_.inside(u, x, grid_.nx() / 2);
@@ -151,7 +151,7 @@ Sample Monitor::sample(const State& s)
             std::max(a.largest_displacement, norm(x[v] - tube_->X[static_cast<std::size_t>(v)]));
     for (ElementIndex e = 0; e < tube_->mesh.element_count(); ++e)
         a.max_strain = std::max(a.max_strain, elastic_->stretches(x, e)[0] - 1);
-    a.cfl = check_speed(grid_, s.fluid.u, s.dt).cfl;
+    a.cfl = check_speed(grid_, s.fluid.u, a.dt).cfl;
     return a;
 }
 

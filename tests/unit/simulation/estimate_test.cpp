@@ -42,6 +42,18 @@ TEST(Estimate, SmallestLimitBindsUnlessTheStepIsFixed)
     EXPECT_EQ(estimate_run(c).dt, 1e-3);
 }
 
+TEST(Estimate, WarnsOfAFixedStepAboveALimit)
+{
+    Case c = inflation();
+    const RunEstimate automatic = estimate_run(c);
+    EXPECT_TRUE(automatic.warnings.empty());
+    c.time.step = 0.9 * automatic.dt;
+    EXPECT_TRUE(estimate_run(c).warnings.empty());
+    c.time.step = 1.1 * automatic.dt;
+    ASSERT_EQ(estimate_run(c).warnings.size(), 1u);
+    EXPECT_NE(estimate_run(c).warnings[0].find(automatic.binding.name), std::string::npos);
+}
+
 TEST(Estimate, DurationIsThatOfTheFirstCriterion)
 {
     Case c = inflation();

@@ -98,13 +98,45 @@ TEST(SteadyCriterion, TubeWithoutFlowOrDisplacementIsSteady)
     EXPECT_TRUE(steady.met());
 }
 
+TEST(RelaxationTime, IsViscousAtLowReynoldsNumber)
+{
+    Case c;
+    c.tube.length = 10;
+    c.material.eps = 0.01;
+    c.fluid.reynolds = 1e-3;
+    EXPECT_NEAR(relaxation_time(c), 4 / (pi * pi), 1e-3);
+}
+
+TEST(RelaxationTime, OfATubeThatOscillatesGrowsWithTheReynoldsNumber)
+{
+    Case c;
+    c.drive = {};
+    c.fluid.reynolds = 10;
+    const Real before = relaxation_time(c);
+    c.fluid.reynolds = 100;
+    EXPECT_GT(relaxation_time(c), 2.5 * before); // as sqrt(Re^1.5) at least
+}
+
+// Measured at spacing 0.2, ratio 0.5: period 11.8, decay 4.2 at Re = 10; decay 1.0 to 1.2 at Re
+// = 1.
+TEST(RelaxationTime, AgreesWithCoarseRuns)
+{
+    Case c;
+    c.fluid.reynolds = 10;
+    c.drive.pressure_inlet = 0.5 * c.baseline_pressure_drop();
+    EXPECT_NEAR(relaxation_time(c), 4.2, 0.6);
+    EXPECT_NEAR(steady_window(c), 11.8 / 2, 1.0);
+    c.fluid.reynolds = 1;
+    c.drive.pressure_inlet = 0.5 * c.baseline_pressure_drop();
+    EXPECT_NEAR(relaxation_time(c), 1.1, 0.1);
+}
+
 TEST(SteadyWindow, IsAQuarterOfTheRelaxationTime)
 {
     Case c;
     c.tube.length = 10;
     c.material.eps = 0.01;
-    EXPECT_DOUBLE_EQ(relaxation_time(c), 0.4);
-    EXPECT_DOUBLE_EQ(steady_window(c), 0.1);
+    EXPECT_DOUBLE_EQ(steady_window(c), relaxation_time(c) / 4);
     c.tube.rigid = true;
     c.fluid.reynolds = 4;
     EXPECT_DOUBLE_EQ(steady_window(c), 4);
