@@ -58,6 +58,24 @@ TEST(ShippedCases, TheMainCaseIsThatOfThePaper)
     EXPECT_DOUBLE_EQ(c.pressure_ratio(), 1.5);
 }
 
+TEST(ShippedCases, TheExampleOfTheReadmeIsTheMainCase)
+{
+    std::ostringstream text;
+    text << std::ifstream(std::string(STARLING_SOURCE_DIR) + "/README.md").rdbuf();
+    const std::string readme = text.str(), fence = "```toml\n";
+    const auto begin = readme.find(fence) + fence.size();
+    Case example =
+        read_case_text(readme.substr(begin, readme.find("```", begin) - begin), "README");
+    const Case main = read_case_text(shipped_case("inflation").text, "inflation");
+    EXPECT_NEAR(example.tube.length, main.tube.length, 1e-3); // rounded for the reader
+    EXPECT_DOUBLE_EQ(example.pressure_ratio(), main.pressure_ratio());
+    example.title = main.title;
+    example.tube.length = main.tube.length;
+    example.drive = main.drive;
+    example.stop = main.stop;
+    EXPECT_TRUE(test::same(example, main)) << write_case(example);
+}
+
 TEST(ShippedCases, AMisspeltNameIsAnsweredWithTheNearest)
 {
     try {
