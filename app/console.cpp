@@ -125,6 +125,7 @@ std::string short_progress_line(const Progress& p, const std::string& limit, con
 std::string duration_text(double seconds)
 {
     if (!std::isfinite(seconds)) return "?";
+    if (seconds < 10) return fmt::format("{:.2g} s", seconds);
     const auto whole = std::llround(seconds);
     if (whole < 60) return fmt::format("{} s", whole);
     if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);

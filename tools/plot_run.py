@@ -50,8 +50,38 @@ class Table:
     def __getitem__(self, name):
         return self.columns[name]
 
-    def label(self, words, name):
-        return f"{words} [{pretty(self.units[name])}]"
+    def axis(self, *names):
+        """The unit in which to draw these columns, which are alike."""
+        return Axis(self.units[names[0]], np.concatenate([self[name] for name in names]))
+
+
+# Multiples of SI units, from large to small: other units are drawn as they are.
+MULTIPLES = {
+    "m": {"m": 1, "mm": 1e-3, "µm": 1e-6},
+    "s": {"s": 1, "ms": 1e-3, "µs": 1e-6},
+    "Pa": {"MPa": 1e6, "kPa": 1e3, "Pa": 1, "mPa": 1e-3},
+    "m/s": {"m/s": 1, "mm/s": 1e-3, "µm/s": 1e-6},
+    "m^3/s": {"m^3/s": 1, "l/s": 1e-3, "ml/s": 1e-6, "µl/s": 1e-9, "nl/s": 1e-12, "pl/s": 1e-15},
+}
+
+
+class Axis:
+    """The multiple of a unit in which the largest of the values is at least 1."""
+
+    def __init__(self, unit, values):
+        finite = np.abs(np.asarray(values, dtype=float))
+        finite = finite[np.isfinite(finite)]
+        largest = finite.max() if finite.size else 0
+        multiples = MULTIPLES.get(unit, {unit: 1})
+        fitting = [name for name, size in multiples.items() if largest >= size]
+        self.unit = fitting[0] if fitting else list(multiples)[-1 if largest > 0 else 0]
+        self.size = multiples[self.unit]
+
+    def __call__(self, values):
+        return values / self.size
+
+    def label(self, words):
+        return f"{words} [{pretty(self.unit)}]"
 
 
 def pretty(unit):
@@ -66,10 +96,6 @@ def read(directory, name):
     return Table(path) if os.path.exists(path) else None
 
 
-def length_unit(series):
-    return pretty(series.units["R_max"])
-
-
 def save(figure, directory, name):
     path = os.path.join(directory, name)
     figure.savefig(path)
@@ -77,24 +103,41 @@ def save(figure, directory, name):
     print(path)
 
 
-def plot_profiles(directory, profile, theory):
+def law_of(directory):
+    """The elastic law in case.toml, or an empty name."""
+    path = os.path.join(directory, "case.toml")
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as stream:
+        found = re.search(r'^law = "(.*)"$', stream.read(), re.MULTILINE)
+    return found[1] if found else ""
+
+
+def laplace_label(law):
+    """The law of Laplace is Hooke's: a picture of another wall says so."""
+    return "law of Laplace, second order" + ("" if law == "hooke" else ", of a Hookean wall")
+
+
+def plot_profiles(directory, profile, theory, law):
     """R(x) and P(x) of the run's end against theory."""
     figure, (top, bottom) = plt.subplots(2, 1, figsize=(7.2, 6.4), sharex=True)
-    x = profile["x"]
-    top.fill_between(x, profile["R_min"], profile["R_max"], color=BLUE, alpha=0.15, lw=0,
-                     label="smallest to largest")
-    top.plot(x, profile["R_mean"], color=BLUE, label="Starling")
-    bottom.plot(x, profile["P_centre"], color=BLUE, label="Starling, on the axis")
+    x_axis, R_axis, P_axis = profile.axis("x"), profile.axis("R_max"), profile.axis("P_centre")
+    x = x_axis(profile["x"])
+    top.fill_between(x, R_axis(profile["R_min"]), R_axis(profile["R_max"]), color=BLUE, alpha=0.15,
+                     lw=0, label="smallest to largest")
+    top.plot(x, R_axis(profile["R_mean"]), color=BLUE, label="Starling")
+    bottom.plot(x, P_axis(profile["P_centre"]), color=BLUE, label="Starling, on the axis")
     if theory is not None:
-        top.plot(theory["x"], theory["R"], color=RED, ls=(0, (5, 2)), label="one-dimensional model")
-        bottom.plot(theory["x"], theory["P"], color=RED, ls=(0, (5, 2)),
+        x = x_axis(theory["x"])
+        top.plot(x, R_axis(theory["R"]), color=RED, ls=(0, (5, 2)), label="one-dimensional model")
+        bottom.plot(x, P_axis(theory["P"]), color=RED, ls=(0, (5, 2)),
                     label="one-dimensional model")
         if np.isfinite(theory["R_second_order"]).any():
-            top.plot(theory["x"], theory["R_second_order"], color=GREY, lw=1.2, ls=":",
-                     label="law of Laplace, second order")
-    top.set_ylabel(profile.label("radius", "R_mean"))
-    bottom.set_ylabel(profile.label("pressure", "P_centre"))
-    bottom.set_xlabel(profile.label("position along the tube", "x"))
+            top.plot(x, R_axis(theory["R_second_order"]), color=GREY, lw=1.2, ls=":",
+                     label=laplace_label(law))
+    top.set_ylabel(R_axis.label("radius"))
+    bottom.set_ylabel(P_axis.label("pressure"))
+    bottom.set_xlabel(x_axis.label("position along the tube"))
     top.set_title("The tube at the end of the run", loc="left")
     for axes in (top, bottom):
         axes.legend()
@@ -106,16 +149,18 @@ def plot_history(directory, series, summary):
     """Q(t), R_max(t) and the leak."""
     figure, (flow, radius, leak) = plt.subplots(
         3, 1, figsize=(7.2, 7.6), sharex=True, height_ratios=(3, 3, 2))
-    t = series["t"]
+    t_axis, R_axis = series.axis("t"), series.axis("R_max")
+    Q_axis = series.axis("Q_in", "Q_mid", "Q_out")
+    t = t_axis(series["t"])
     theory = summary.get("theory") or {}
     for name, words, color in (("Q_in", "inlet", RED), ("Q_mid", "middle", BLUE),
                                ("Q_out", "outlet", GREEN)):
-        flow.plot(t, series[name], color=color, label=words)
-    radius.plot(t, series["R_max"], color=BLUE, label="Starling")
+        flow.plot(t, Q_axis(series[name]), color=color, label=words)
+    radius.plot(t, R_axis(series["R_max"]), color=BLUE, label="Starling")
     if "Q_1d" in theory:
-        flow.axhline(theory["Q_1d"], color=GREY, lw=1.2, ls=(0, (5, 2)),
+        flow.axhline(Q_axis(theory["Q_1d"]), color=GREY, lw=1.2, ls=(0, (5, 2)),
                      label="one-dimensional model")
-        radius.axhline(theory["R_max_1d"], color=GREY, lw=1.2, ls=(0, (5, 2)),
+        radius.axhline(R_axis(theory["R_max_1d"]), color=GREY, lw=1.2, ls=(0, (5, 2)),
                        label="one-dimensional model")
     scale = np.where(series["Q_mid"] == 0, np.nan, series["Q_mid"])
     leak.plot(t, 100 * series["leak"] / scale, color=BLUE)
@@ -123,12 +168,12 @@ def plot_history(directory, series, summary):
     if np.isfinite(late).any():  # the start-up, with hardly any flow yet, would hide the rest
         bound = max(1.0, 1.5 * np.nanmax(late))
         leak.set_ylim(-bound, bound)
-    limit_to_bulk(flow, np.concatenate([series[n] for n in ("Q_in", "Q_mid", "Q_out")]),
-                  theory.get("Q_1d"))
-    flow.set_ylabel(series.label("flow rate", "Q_in"))
-    radius.set_ylabel(series.label("largest radius", "R_max"))
+    limit_to_bulk(flow, Q_axis(np.concatenate([series[n] for n in ("Q_in", "Q_mid", "Q_out")])),
+                  Q_axis(theory["Q_1d"]) if "Q_1d" in theory else None)
+    flow.set_ylabel(Q_axis.label("flow rate"))
+    radius.set_ylabel(R_axis.label("largest radius"))
     leak.set_ylabel("leak [% of the flow]")
-    leak.set_xlabel(series.label("time", "t"))
+    leak.set_xlabel(t_axis.label("time"))
     flow.set_title("From rest to " + ("the steady state" if summary.get("converged") else
                                       "the end of the run"), loc="left")
     flow.legend(ncol=2)
@@ -155,7 +200,7 @@ def last_frame(file):
 
 def unit_of(dataset):
     unit = dataset.attrs.get("unit", "")
-    return pretty(unit.decode() if isinstance(unit, bytes) else str(unit))
+    return unit.decode() if isinstance(unit, bytes) else str(unit)
 
 
 def face_values(frame, name, triangles):
@@ -220,17 +265,21 @@ def plot_tube(directory, unit):
         name, words = pick_colouring(frame)
         if name is None or len(triangles) == 0:
             return
-        values, value_unit = face_values(frame, name, triangles), unit_of(frame[name])
+        values = face_values(frame, name, triangles)
+        axis = Axis(unit_of(frame[name]), values)
+        values = axis(values)
     low, high = np.percentile(values, [0.5, 99.5])
     norm = colors.Normalize(low, high if high > low else low + 1)
     figure, axes = plt.subplots(figsize=(9, 3.9))
     draw_surface(axes, points, triangles, matplotlib.colormaps["viridis"](norm(values)))
     bar = figure.colorbar(cm.ScalarMappable(norm, "viridis"), ax=axes, shrink=0.8, pad=0.01,
                           aspect=18)
-    bar.set_label(f"{words} [{value_unit}]")
+    bar.set_label(axis.label(words))
     bar.outline.set_visible(False)
-    axes.set_title(f"The wall at the end of the run; length {np.ptp(points[:, 0]):.4g} {unit}",
-                   loc="left")
+    length = np.ptp(points[:, 0])
+    x_axis = Axis(unit, [length])
+    axes.set_title(f"The wall at the end of the run; length {x_axis(length):.4g} "
+                   f"{pretty(x_axis.unit)}", loc="left")
     save(figure, directory, "tube.png")
 
 
@@ -259,21 +308,23 @@ def plot_flow(directory, unit):
     with h5py.File(os.path.join(directory, "fluid.h5"), "r", locking=False) as file:
         frame = last_frame(file)
         velocity, origin, spacing = frame["velocity"], frame.attrs["origin"], frame.attrs["spacing"]
-        speed_unit = unit_of(velocity)
+        u_unit = unit_of(velocity)
         middle = int(np.clip(-origin[2] / spacing[2], 1, velocity.shape[0] - 1))
         u = velocity[middle - 1:middle + 1, :, :, 0].mean(axis=0).astype(float)
-    ends = origin[:2] + spacing[:2] * np.array(u.shape)[::-1]
+    x_axis, u_axis = Axis(unit, [origin[0] + spacing[0] * u.shape[1]]), Axis(u_unit, u)
+    begin, u = x_axis(origin[:2]), u_axis(u)
+    ends = begin + x_axis(spacing[:2]) * np.array(u.shape)[::-1]
     figure, axes = plt.subplots(figsize=(9, 3.6))
     high = np.percentile(np.abs(u), 99.8) or 1
-    picture = axes.imshow(u, origin="lower", extent=(origin[0], ends[0], origin[1], ends[1]),
+    picture = axes.imshow(u, origin="lower", extent=(begin[0], ends[0], begin[1], ends[1]),
                           interpolation="bilinear", cmap="RdBu_r", vmin=-high, vmax=high)
-    axes.add_collection(LineCollection(wall_section(directory), colors="#20242b", linewidths=1.6,
-                                       capstyle="round"))
-    axes.set(aspect="equal", xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]")
+    wall = [x_axis(segment) for segment in wall_section(directory)]
+    axes.add_collection(LineCollection(wall, colors="#20242b", linewidths=1.6, capstyle="round"))
+    axes.set(aspect="equal", xlabel=x_axis.label("$x$"), ylabel=x_axis.label("$y$"))
     axes.grid(False)
     axes.set_title("Axial velocity in the plane of the axis; black: the wall", loc="left")
     bar = figure.colorbar(picture, ax=axes, shrink=0.8, pad=0.02)
-    bar.set_label(f"$u$ [{speed_unit}]")
+    bar.set_label(u_axis.label("$u$"))
     bar.outline.set_visible(False)
     save(figure, directory, "flow.png")
 
@@ -292,11 +343,11 @@ def main():
     with plt.rc_context(STYLE):
         plot_history(directory, series, summary)
         if profile is not None:
-            plot_profiles(directory, profile, read(directory, "theory.csv"))
+            plot_profiles(directory, profile, read(directory, "theory.csv"), law_of(directory))
         else:
             print("no profile.csv: the run has not ended; profiles.png left out")
-        plot_tube(directory, length_unit(series))
-        plot_flow(directory, length_unit(series))
+        plot_tube(directory, series.units["R_max"])
+        plot_flow(directory, series.units["R_max"])
 
 
 if __name__ == "__main__":

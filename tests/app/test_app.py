@@ -4,6 +4,7 @@
 usage: test_app.py PROGRAM SOURCE_DIR SCENARIO
 """
 import csv
+import importlib
 import inspect
 import json
 import math
@@ -145,6 +146,8 @@ def test_run(directory):
     expect(starling("check", out / "case.toml").returncode == 0, "case.toml is not a valid case")
     expect((out / "wall.xdmf").read_text(encoding="utf-8").count("<Time ") == 2, "wall frames")
     expect((out / "fluid.xdmf").read_text(encoding="utf-8").count("<Time ") == 1, "fluid frames")
+    time_line = re.search(r"time +(\S+) s on", result.stdout)
+    expect(time_line and float(time_line[1]) > 0, "a run takes time", result.stdout)
     quiet = starling("run", *SHORT, "--out", directory / "quiet", "--quiet")
     expect(quiet.returncode == 0 and quiet.stdout == quiet.stderr == "", quiet)
 
@@ -287,6 +290,23 @@ def test_threads(directory):
         expect(one == two, name, "differs between 1 and 2 threads")
 
 
+def check_axes_of_plots(out):
+    """Pictures in SI use prefixes, and Hooke's law of Laplace beside another wall says so."""
+    sys.path.insert(0, str(SOURCE / "tools"))
+    sys.dont_write_bytecode = True
+    plot = importlib.import_module("plot_run")
+    for unit, largest, expected, drawn in (
+            ("s", 0.037, "ms", 37), ("s", 3.7, "s", 3.7), ("m", 5.8e-4, "µm", 580),
+            ("m^3/s", 5e-8, "µl/s", 50), ("Pa", 9e4, "kPa", 90), ("m", 0, "m", 0),
+            ("R_0", 1e-4, "R_0", 1e-4), ("m", float("nan"), "m", None)):
+        axis = plot.Axis(unit, [largest, largest / 2])
+        expect(axis.unit == expected, unit, largest, "is drawn in", axis.unit)
+        expect(drawn is None or abs(axis(largest) - drawn) < 1e-9 * drawn + 1e-12, axis(largest))
+    expect(plot.law_of(out) == "hooke", plot.law_of(out))
+    expect("Hooke" not in plot.laplace_label("hooke"), plot.laplace_label("hooke"))
+    expect("Hookean wall" in plot.laplace_label("skalak"), plot.laplace_label("skalak"))
+
+
 def test_plot(directory):
     check = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
                            capture_output=True, check=False)
@@ -298,6 +318,7 @@ def test_plot(directory):
     result = starling("plot", out)
     expect_exit(result, 0)
     expect(result.stderr == "", result.stderr)
+    check_axes_of_plots(out)
     for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
         expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
     (out / "profile.csv").unlink()  # as after a kill
