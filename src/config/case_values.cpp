@@ -148,7 +148,7 @@ std::optional<CaseValues::WrittenUnit> CaseValues::written_unit_of(const KeyRule
 std::string CaseValues::in_units(std::string_view name, Real value) const
 {
     const KeyRule& rule = case_key(name);
-    const std::string scaled = fmt::format("{:.4g} {}", value, Scaling{}.unit(rule.quantity));
+    std::string scaled = fmt::format("{:.4g} {}", value, Scaling{}.unit(rule.quantity));
     if (system_ != UnitSystem::si || !std::isfinite(scale(rule))) return scaled;
     if (const auto unit = written_unit_of(rule))
         return fmt::format("{:.4g} {} ({})", value * unit->factor, unit->name, scaled);
