@@ -128,7 +128,7 @@ void add_numbers(Table& table, const Case& c, const RunEstimate& e)
     table.line("Re", c.fluid.reynolds);
     if (!c.tube.rigid) {
         table.line("eps", c.material.eps);
-        table.line("B", 0); // the wall is a membrane: it does not resist bending
+        table.line("B", c.material.bending);
     }
     table.line("Delta P / Delta P_0", c.pressure_ratio());
     table.line("length of the tube", c.tube.length, Quantity::length);

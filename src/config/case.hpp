@@ -45,6 +45,7 @@ struct Case {
     DriveParameters drive;
     TubeParameters tube;
     MaterialParameters material;
+    PerturbationParameters perturbation;
     CouplingParameters coupling;
     TimeParameters time;
     StopParameters stop;

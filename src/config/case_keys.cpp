@@ -144,10 +144,42 @@ std::vector<KeyRule> wall_keys()
         {"wall", "psi", number, "Psi of the Mooney-Rivlin law", none, closed(0, 1)},
         {"wall", "skalak_C", number, "area modulus of Skalak's law over G_s", none,
          closed(0, 1000)},
+        {"wall",
+         "bending",
+         number,
+         "bending stiffness B = E_b/(R_0^2 G_s)",
+         none,
+         closed(0, 10),
+         {},
+         plain,
+         "give bending_modulus or bending_thickness"},
+        {"wall",
+         "bending_modulus",
+         measure,
+         "bending modulus E_b",
+         Quantity::energy,
+         {.min = 0},
+         {},
+         si,
+         "give bending"},
+        {"wall", "bending_thickness", measure, "thickness that resists bending", length,
+         positive_to(0.5)},
         {"wall", "edge_over_spacing", number, "triangle edge over grid spacing", none,
          closed(0.2, 2)},
         {"wall", "mesh_filter", number,
          "rate of the filter of the shortest waves, in 1/(8 eps Delta)", none, closed(0, 1)},
+    };
+}
+
+std::vector<KeyRule> perturbation_keys()
+{
+    using enum Kind;
+    return {
+        {"perturbation", "amplitude", measure, "amplitude of the radius at t = 0", length,
+         closed(0, 0.2)},
+        {"perturbation", "mode", integer, "lobes of a single wave around the tube", none,
+         closed(1, 64)},
+        {"perturbation", "seed", integer, "seed of random waves", none, closed(0, 1e9)},
     };
 }
 
@@ -219,7 +251,7 @@ const std::vector<KeyRule>& case_keys()
 {
     static const std::vector<KeyRule> rules = [] {
         std::vector<KeyRule> all = flow_keys();
-        for (const auto& part : {wall_keys(), numerical_keys()})
+        for (const auto& part : {wall_keys(), perturbation_keys(), numerical_keys()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -116,6 +116,42 @@ void read_eps(CaseValues& values, const Case& c, bool required, MaterialParamete
                   m.eps);
 }
 
+/// B = E_b/(R_0^2 G_s): given, from E_b in SI, or (h/R_0)^2/(6 (1 - nu_s)) from a thickness by
+/// E_b = E h^3/(12 (1 - nu_s^2)) and Eq. (9).
+void read_bending(CaseValues& values, const Case& c, MaterialParameters& m)
+{
+    const std::string_view thickness = "wall.bending_thickness", modulus = "wall.bending_modulus";
+    const std::string_view direct =
+        values.system() == UnitSystem::si ? modulus : std::string_view("wall.bending");
+    if (values.given(thickness) && values.given(direct))
+        return values.problem(thickness, fmt::format("give it or {}, not both", direct.substr(5)));
+    values.fill("wall.bending", m.bending);
+    if (values.has(modulus) && values.sound({"wall.eps", "fluid.viscosity"})) {
+        const auto scale = static_cast<long double>(c.scaling.factor(Quantity::energy));
+        const long double G_s =
+            1 / (static_cast<long double>(c.fluid.reynolds) * static_cast<long double>(m.eps));
+        if (std::isfinite(scale))
+            values.accept(modulus, "wall.bending",
+                          static_cast<Real>(values.si(modulus) / scale / G_s), m.bending);
+    }
+    if (!values.has(thickness) || !values.sound({"wall.poisson_ratio"})) return;
+    const Real h = values.number(thickness);
+    if (std::isfinite(h))
+        values.accept(thickness, "wall.bending", h * h / (6 * (1 - m.poisson_ratio)), m.bending);
+}
+
+void read_perturbation(CaseValues& values, PerturbationParameters& p)
+{
+    values.fill("perturbation.amplitude", p.amplitude);
+    values.fill("perturbation.mode", p.mode);
+    values.fill("perturbation.seed", p.seed);
+    if (values.given("perturbation.mode") && values.given("perturbation.seed"))
+        values.problem("perturbation.seed", "is for random waves; give it or mode, not both");
+    for (std::string_view name : {"perturbation.mode", "perturbation.seed"})
+        if (values.given(name) && !values.given("perturbation.amplitude"))
+            values.problem(name, "does nothing without an amplitude");
+}
+
 } // namespace
 
 void read_wall(CaseValues& values, Case& c)
@@ -128,6 +164,8 @@ void read_wall(CaseValues& values, Case& c)
         read_parameters_of_law(values, c.material);
     }
     read_eps(values, c, elastic, c.material);
+    read_bending(values, c, c.material);
+    read_perturbation(values, c.perturbation);
 }
 
 } // namespace starling

@@ -138,6 +138,29 @@ void write_elasticity(CaseWriter& w, const Case& c)
               [=](long double G_s) { return static_cast<Real>(scale / (reynolds * G_s)) == eps; });
 }
 
+void write_bending(CaseWriter& w, const Case& c)
+{
+    const Real B = c.material.bending;
+    if (!c.scaling.si) return w.number("bending", B);
+    w.comment(fmt::format("B = {:.6g}", B));
+    const auto scale = static_cast<long double>(c.scaling.factor(Quantity::energy));
+    const long double G_s =
+        1 / (static_cast<long double>(c.fluid.reynolds) * static_cast<long double>(c.material.eps));
+    w.derived("bending_modulus", static_cast<long double>(B) * G_s * scale, Quantity::energy,
+              [=](long double E_b) { return static_cast<Real>(E_b / scale / G_s) == B; });
+}
+
+void write_perturbation(CaseWriter& w, const PerturbationParameters& p)
+{
+    if (p.amplitude == 0) return;
+    w.section("perturbation");
+    w.measure("amplitude", p.amplitude, Quantity::length);
+    if (p.mode)
+        w.integer("mode", *p.mode);
+    else
+        w.integer("seed", p.seed);
+}
+
 void write_wall(CaseWriter& w, const Case& c)
 {
     const MaterialParameters& m = c.material;
@@ -148,6 +171,7 @@ void write_wall(CaseWriter& w, const Case& c)
         w.number("poisson_ratio", m.poisson_ratio);
     if (m.law == ElasticLaw::mooney_rivlin) w.number("psi", m.psi);
     if (m.law == ElasticLaw::skalak) w.number("skalak_C", m.skalak_C);
+    write_bending(w, c);
     w.number("edge_over_spacing", c.tube.edge_over_spacing);
     w.number("mesh_filter", c.tube.mesh_filter);
 }
@@ -215,6 +239,7 @@ std::string write_case(const Case& c)
     write_drive(w, c);
     write_vessel(w, c);
     write_wall(w, c);
+    write_perturbation(w, c.perturbation);
     write_grid(w, c.grid);
     w.section("coupling");
     w.text("scheme", scheme_name(c.coupling.scheme));

@@ -22,6 +22,7 @@ std::span<const Column<Sample>> sample_columns()
         {"smallest_gap", length, &Sample::smallest_gap, "smallest distance of opposite walls"},
         {"kinetic_energy", energy, &Sample::kinetic_energy, "of the fluid"},
         {"elastic_energy", energy, &Sample::elastic_energy, "of the wall"},
+        {"bending_energy", energy, &Sample::bending_energy, "of the wall"},
         {"largest_displacement", length, &Sample::largest_displacement, "of a wall vertex"},
         {"max_strain", none, &Sample::max_strain, "largest principal stretch - 1"},
         {"cfl", none, &Sample::cfl, "largest speed times dt over the spacing"},

@@ -47,7 +47,8 @@ void put_sample(Json& json, Json& units, const Scaling& scaling, const Summary& 
          {"smallest_gap", length, last.smallest_gap},
          {"volume", volume, last.volume},
          {"max_strain", none, last.max_strain},
-         {"elastic_energy", energy, last.elastic_energy}});
+         {"elastic_energy", energy, last.elastic_energy},
+         {"bending_energy", energy, last.bending_energy}});
 }
 
 Json theory_json(const Summary& s, const Scaling& scaling)

@@ -9,6 +9,7 @@
 #include "core/for_each.hpp"
 #include "solver/advance.hpp"
 #include "solver/monitor.hpp"
+#include "wall/perturbation.hpp"
 
 namespace starling {
 
@@ -19,10 +20,12 @@ Tube make_tube(const Case& c, const Grid& g)
     return make_tube(c.tube, c.tube.edge_over_spacing * g.delta());
 }
 
-/// The filter works as fast as waves of the grid's scale relax.
-Real filter_rate(const Case& c, Real delta)
+WallModel wall_model(const Case& c, Real delta)
 {
-    return c.tube.mesh_filter / grid_wave_time(c, delta);
+    const Real reynolds = c.fluid.reynolds;
+    // The filter works as fast as waves of the grid's scale relax.
+    return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds),
+            c.tube.mesh_filter / grid_wave_time(c, delta)};
 }
 
 constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
@@ -46,11 +49,11 @@ struct Simulation::Impl {
 
     explicit Impl(const Case& c)
         : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
-          op(grid, tube, make_material(c.material, c.fluid.reynolds), c.fluid, c.drive,
-             c.coupling.scheme, filter_rate(c, grid.delta())),
+          op(grid, tube, wall_model(c, grid.delta()), c.fluid, c.drive, c.coupling.scheme),
           workspace(grid, tube), state(grid, tube),
-          monitor(grid, tube, op.elastic, c.fluid.reynolds), good(grid, tube)
+          monitor(grid, tube, op.elastic, op.bending, c.fluid.reynolds), good(grid, tube)
     {
+        perturb(tube, c.perturbation, state.wall.x);
         initialise(state, op);
         choose_step(std::abs(c.pressure_ratio()));
         good = state;

@@ -16,6 +16,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     // 1. What the wall does to the fluid
     op.geometry.update(s.wall.x);                                     // n, areas
     op.elastic.compute(s.wall.x, w.f);                                // f_e             (3)-(5), (15), (17)
+    op.bending.add(s.wall.x, op.geometry, w.f);                       // + f_b           (18)-(23)
     w.mark(Phase::wall_force);
     if (!op.coupling.update(s.wall, s.ghosts)) return false;          // GN, IE, BI, IP  sec. 2.6
     w.mark(Phase::ghost_search);

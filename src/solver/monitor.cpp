@@ -29,9 +29,10 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt)
     return check;
 }
 
-Monitor::Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Real reynolds)
-    : grid_(g), tube_(&tube), elastic_(&elastic), inv_reynolds_(1 / reynolds), geometry_(tube.mesh),
-      before_(static_cast<Index>(tube.X.size())), section_flow_(g, tube)
+Monitor::Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Bending& bending,
+                 Real reynolds)
+    : grid_(g), tube_(&tube), elastic_(&elastic), bending_(&bending), inv_reynolds_(1 / reynolds),
+      geometry_(tube.mesh), before_(static_cast<Index>(tube.X.size())), section_flow_(g, tube)
 {
 }
 
@@ -146,6 +147,7 @@ Sample Monitor::sample(const State& s)
     a.smallest_gap = smallest_gap(x);
     a.kinetic_energy = kinetic_energy(s.fluid.u);
     a.elastic_energy = elastic_->energy(x);
+    a.bending_energy = bending_->energy(x, geometry_);
     for (VertexIndex v = tube_->moving_begin(); v < tube_->moving_end(); ++v)
         a.largest_displacement =
             std::max(a.largest_displacement, norm(x[v] - tube_->X[static_cast<std::size_t>(v)]));

@@ -18,7 +18,8 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt);
 /// Measures a state. Everything is summed in a fixed order, so results do not depend on threads.
 class Monitor {
 public:
-    Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Real reynolds);
+    Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Bending& bending,
+            Real reynolds);
 
     Sample sample(const State& s);
     std::vector<ProfileRow> profile(const State& s);
@@ -43,6 +44,7 @@ private:
     Grid grid_;
     const Tube* tube_;
     const ElasticForce* elastic_;
+    Bending* bending_;
     Real inv_reynolds_;
     Geometry geometry_;
     Array<Vec3> before_; ///< positions before the last step

@@ -22,7 +22,7 @@ struct Sample {
     Real R_max = 0, x_R_max = 0; ///< largest ring-averaged radius and where
     Real R_min = 0;              ///< smallest vertex distance from the axis
     Real smallest_gap = 0;       ///< smallest distance between opposite walls
-    Real kinetic_energy = 0, elastic_energy = 0;
+    Real kinetic_energy = 0, elastic_energy = 0, bending_energy = 0;
     Real largest_displacement = 0;
     Real max_strain = 0; ///< largest principal stretch - 1
     Real cfl = 0;        ///< max |u| dt / Delta

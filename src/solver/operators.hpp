@@ -4,6 +4,7 @@
 #include "flow/momentum.hpp"
 #include "flow/projection.hpp"
 #include "immersed_boundary/coupling.hpp"
+#include "wall/bending_force.hpp"
 #include "wall/elastic_force.hpp"
 #include "wall/mesh_filter.hpp"
 
@@ -19,22 +20,29 @@ enum class Phase : std::size_t {
     wall_motion
 };
 
+/// What the wall resists with, in solver units.
+struct WallModel {
+    Material material;
+    Real E_b = 0;         ///< bending modulus (rho U_c^2 R_0^3)
+    Real filter_rate = 0; ///< of the mesh filter (U_c/R_0)
+};
+
 /// Holds references to `tube`, which must outlive it.
 struct Operators {
     const Tube& tube;
     Geometry geometry;
     ElasticForce elastic;
+    Bending bending;
     Coupling coupling;
     Momentum momentum;
     Projection projection;
     MeshFilter filter;
 
-    Operators(const Grid& g, const Tube& tube_, const Material& material,
-              const FluidParameters& fluid, const DriveParameters& drive, CouplingScheme scheme,
-              Real filter_rate)
-        : tube(tube_), geometry(tube.mesh), elastic(tube, material),
+    Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
+              const DriveParameters& drive, CouplingScheme scheme)
+        : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
-          filter(tube, filter_rate)
+          filter(tube, wall.filter_rate)
     {
     }
     Operators(const Operators&) = delete;

@@ -119,4 +119,10 @@ inline Real shear_modulus(const MaterialParameters& parameters, Real reynolds)
     return 1 / (reynolds * parameters.eps);
 }
 
+/// Bending modulus E_b = B/(Re eps) in rho U_c^2 R_0^3.
+inline Real bending_modulus(const MaterialParameters& parameters, Real reynolds)
+{
+    return parameters.bending * shear_modulus(parameters, reynolds);
+}
+
 } // namespace starling

@@ -1,5 +1,7 @@
 #pragma once
 /// What a case says about the tube and its material.
+#include <optional>
+
 #include "core/types.hpp"
 
 namespace starling {
@@ -24,6 +26,14 @@ struct MaterialParameters {
         0.5;           ///< nu_s (Hooke; for Skalak it sets C = nu_s/(1 - nu_s) unless C is given)
     Real psi = 0.5;    ///< Mooney-Rivlin Psi in [0, 1]
     Real skalak_C = 1; ///< Skalak's area modulus over G_s
+    Real bending = 0;  ///< B = E_b/(R_0^2 G_s); 0: a membrane
+};
+
+/// A small deviation of the wall from the circular tube at t = 0, which chooses how it buckles.
+struct PerturbationParameters {
+    Real amplitude = 0;             ///< of the radius (R_0); 0: none
+    std::optional<Index> mode = {}; ///< lobes of a single wave around the tube; empty: random waves
+    Index seed = 1;                 ///< of the random waves
 };
 
 } // namespace starling

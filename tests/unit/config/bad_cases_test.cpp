@@ -97,6 +97,8 @@ TEST(BadCases, AWrongValueIsReportedWithWhatIsAllowed)
             {"wall.eps", {"0", "-0.02"}, "from 1e-08 to 10"},
             {"wall.poisson_ratio", {"1.0", "-0.1"}, "at least 0 and less than 1"},
             {"wall.edge_over_spacing", {"5"}, "0.2 to 2"},
+            {"wall.bending", {"-0.01", "11"}, "from 0 to 10"},
+            {"wall.bending_thickness", {"0", "0.6"}, "greater than 0 and at most 0.5"},
             {"grid.width_y", {"1.5"}, "greater than 2"},
             {"grid.width_z", {"-4.7"}, "greater than 2"},
             {"grid.spacing", {"0", "-0.1", "0.5"}, "greater than 0 and at most 0.34"},
@@ -120,6 +122,7 @@ TEST(BadCases, AWrongValueIsReportedWithWhatIsAllowed)
             {"fluid.density", {"'1 kg/m^3'"}, "belongs to units = \"si\"; give reynolds"},
             {"vessel.radius", {"1"}, "leave it out"},
             {"wall.thickness", {"1"}, "give eps"},
+            {"wall.bending_modulus", {"'1 J'"}, "give bending"},
             // no such key
             {"fluid.reynold", {"1"}, "did you mean \"reynolds\""},
             {"wall.EPS", {"1"}, "did you mean \"eps\""},
@@ -173,6 +176,9 @@ TEST(BadCases, AWrongValueInSiIsReportedInTheUnitOfTheFile)
              "is 1000 cm (1e+05 R_0); must be from 0.005 to 100 cm (from 0.5 to 10000 R_0)"},
             {"wall.surface_shear_modulus", {"'2 N/mm/s'"}, "must be a force per length"},
             {"wall.surface_shear_modulus", {"'2e-12 N/m'"}, "gives a deformability"},
+            {"wall.bending_modulus", {"'1 N'"}, "is a force; must be an energy"},
+            {"wall.bending_modulus", {"'1 J'"}, "gives a bending stiffness"},
+            {"wall.bending", {"0.01"}, "give bending_modulus or bending_thickness"},
             {"stop.end_time", {"'20 m s'"}, "must be a time"},
             {"stop.end_time", {"'20 s/m s'"}, "its own \"/\""},
         });
@@ -267,6 +273,17 @@ TEST(BadCases, AWrongCombinationIsReportedWithWhatIsAllowed)
             {spacing, "cells = [125, 47, 94]", 19, "grid.cells", "must not differ"},
             {spacing, "cells = [33, 12, 12]", 19, "grid.cells", "it must be greater than 0 and"},
             {spacing, "spacing = 0.1\ncells = [125, 47, 47]", 20, "grid.cells", "not both"},
+            // bending and perturbation
+            {"eps = 0.02", "eps = 0.02\nbending = 0.01\nbending_thickness = 0.1", 17,
+             "wall.bending_thickness", "give it or bending, not both"},
+            {"eps = 0.02", "eps = 0.02\n[perturbation]\namplitude = 0.01\nmode = 3\nseed = 1", 19,
+             "perturbation.seed", "give it or mode, not both"},
+            {"eps = 0.02", "eps = 0.02\n[perturbation]\namplitude = 0.3", 17,
+             "perturbation.amplitude", "from 0 to 0.2"},
+            {"eps = 0.02", "eps = 0.02\n[perturbation]\nmode = 3", 17, "perturbation.mode",
+             "does nothing without an amplitude"},
+            {"eps = 0.02", "eps = 0.02\n[perturbation]\nseed = 3", 17, "perturbation.seed",
+             "does nothing without an amplitude"},
             // the parameters of the laws
             {nu, "law = \"neo-hookean\"\npoisson_ratio = 0.3", 14, "wall.poisson_ratio",
              "is 0.3, but law = \"neo-hookean\" keeps the wall's volume and so has 0.5 always: "

@@ -153,6 +153,34 @@ TEST(ReadCase, YoungsModulusAndThicknessGiveTheSurfaceShearModulus)
     EXPECT_DOUBLE_EQ(si_with(other).material.eps, si_with({}).material.eps * 2.4 / 3);
 }
 
+TEST(ReadCase, AThicknessGivesTheBendingStiffness)
+{
+    const auto bending = [](const std::vector<std::string>& overrides) {
+        return read_case_text(good_case, "good", overrides).material.bending;
+    };
+    EXPECT_EQ(bending({}), 0);
+    EXPECT_EQ(bending({"wall.bending=0.01"}), 0.01);
+    // E h^3/(12 (1 - nu^2)) over E h/(2 (1 + nu)) R_0^2
+    const Real h = 0.1, nu = 0.3;
+    const Real B = h * h * h / (12 * (1 - nu * nu)) / (h / (2 * (1 + nu)));
+    EXPECT_DOUBLE_EQ(bending({"wall.bending_thickness=0.1", "wall.poisson_ratio=0.3"}), B);
+    EXPECT_DOUBLE_EQ(
+        si_with({"wall.bending_thickness=10 um", "wall.poisson_ratio=0.3"}).material.bending, B);
+    // R_0^2 G_s = (0.1 mm)^2 * 2 mN/m
+    EXPECT_DOUBLE_EQ(si_with({"wall.bending_modulus=2e-13 N m"}).material.bending, 0.01);
+}
+
+TEST(ReadCase, APerturbationIsOffUnlessItIsGiven)
+{
+    EXPECT_EQ(read_case_text(good_case, "good").perturbation.amplitude, 0);
+    const auto p =
+        read_case_text(good_case, "good", {"perturbation.amplitude=0.01", "perturbation.mode=3"})
+            .perturbation;
+    EXPECT_EQ(p.amplitude, 0.01);
+    EXPECT_EQ(p.mode, 3);
+    EXPECT_EQ(si_with({"perturbation.amplitude=1 um", "perturbation.seed=9"}).perturbation.seed, 9);
+}
+
 TEST(ReadCase, TheSamePhysicsInOtherUnitsIsTheSameCase)
 {
     const Case a = si_with({});

@@ -27,6 +27,7 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.tube.rigid_outlet,     c.tube.edge_over_spacing,
                    c.material.eps,          c.material.poisson_ratio,
                    c.material.psi,          c.material.skalak_C,
+                   c.material.bending,      c.perturbation.amplitude,
                    c.tube.mesh_filter,      c.time.safety,
                    c.scaling.length,        c.scaling.velocity,
                    c.scaling.density})
@@ -35,6 +36,8 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                           c.output.wall_every, c.output.fluid_every})
         maybe(x);
     maybe(c.stop.steps);
+    maybe(c.perturbation.mode);
+    integer(c.perturbation.seed);
     integer(c.grid.cells.has_value());
     if (c.grid.cells)
         for (Index n : *c.grid.cells) integer(n);

@@ -49,6 +49,16 @@ TEST(WriteCase, ReadsBackToTheSameBits)
     }
 }
 
+TEST(WriteCase, ReadsAPerturbationBackToTheSameBits)
+{
+    for (const char* choice : {"perturbation.mode=3", "perturbation.seed=7"}) {
+        expect_round_trip(
+            read_case_text(good_case, "good", {"perturbation.amplitude=0.013", choice}));
+        expect_round_trip(
+            read_case_text(good_si_case, "good", {"perturbation.amplitude=1.3 um", choice}));
+    }
+}
+
 TEST(WriteCase, ReadsBackToTheSameBitsForAnySiValues)
 {
     std::mt19937_64 random(7);
@@ -63,17 +73,19 @@ TEST(WriteCase, ReadsBackToTheSameBitsForAnySiValues)
              "drive.pressure_external=" + near(1) + " Pa", "vessel.radius=" + near(100) + " um",
              "vessel.length=" + near(1.2) + " mm", "vessel.rigid_inlet=" + near(0.1) + " mm",
              "wall.surface_shear_modulus=" + near(2) + " dyn/cm",
-             "grid.width_y=" + near(0.5) + " mm", "grid.spacing=" + near(10) + " um",
-             "grid.tube_offset_y=" + near(-5) + " um", "time.step=" + near(1) + " us",
-             "output.wall_every=" + near(1) + " ms"}));
+             "wall.bending_modulus=" + near(2e-13) + " N m",
+             "perturbation.amplitude=" + near(1) + " um", "grid.width_y=" + near(0.5) + " mm",
+             "grid.spacing=" + near(10) + " um", "grid.tube_offset_y=" + near(-5) + " um",
+             "time.step=" + near(1) + " us", "output.wall_every=" + near(1) + " ms"}));
 }
 
 TEST(WriteCase, WritesEveryDefault)
 {
     const std::string text = write_case(read_case_text(good_case, "good"));
-    for (const char* line : {"theta = 1.0", "rigid = false", "edge_over_spacing = 0.65",
-                             "mesh_filter = 1.0", "tube_offset_y = 0.0", "step = \"auto\"",
-                             "safety = 1.0", "precision = \"single\"", "pressure_external = 0.0"})
+    for (const char* line :
+         {"theta = 1.0", "rigid = false", "bending = 0.0", "edge_over_spacing = 0.65",
+          "mesh_filter = 1.0", "tube_offset_y = 0.0", "step = \"auto\"", "safety = 1.0",
+          "precision = \"single\"", "pressure_external = 0.0"})
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 

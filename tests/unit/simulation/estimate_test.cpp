@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "simulation/estimate.hpp"
 #include "simulation/steady.hpp"
 #include "wall/tube.hpp"
@@ -52,6 +54,22 @@ TEST(Estimate, WarnsOfAFixedStepAboveALimit)
     c.time.step = 1.1 * automatic.dt;
     ASSERT_EQ(estimate_run(c).warnings.size(), 1u);
     EXPECT_NE(estimate_run(c).warnings[0].find(automatic.binding.name), std::string::npos);
+}
+
+TEST(Estimate, BendingLimitsTheStepOfAStiffWallOnAFineGrid)
+{
+    const auto names = [](const Case& c) {
+        std::vector<std::string> found;
+        for (const TimeStepLimit& limit : estimate_run(c).limits) found.push_back(limit.name);
+        return found;
+    };
+    Case c = inflation();
+    EXPECT_EQ(std::ranges::count(names(c), "bending stiffness"), 0);
+    c.material.bending = 0.1;
+    EXPECT_EQ(std::ranges::count(names(c), "bending stiffness"), 1);
+    EXPECT_EQ(estimate_run(c).binding.name, "bending stiffness");
+    c.material.bending = 1e-6;
+    EXPECT_NE(estimate_run(c).binding.name, "bending stiffness");
 }
 
 TEST(Estimate, DurationIsThatOfTheFirstCriterion)

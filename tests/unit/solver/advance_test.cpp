@@ -79,7 +79,8 @@ std::vector<Model> every_model()
 }
 
 struct EveryModel : testing::TestWithParam<Model> {
-    CoupledParameters parameters{.material = GetParam().material, .scheme = GetParam().scheme};
+    CoupledParameters parameters{
+        .material = GetParam().material, .scheme = GetParam().scheme, .E_b = 2};
 };
 
 TEST_P(EveryModel, OneAndTwoThreadsGiveTheSameBits)

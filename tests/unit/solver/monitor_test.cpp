@@ -15,7 +15,7 @@ using support::CoupledParameters;
 
 struct Monitored : testing::Test {
     Coupled c{CoupledParameters{.spacing = 0.25}};
-    Monitor monitor{c.g, c.tube, c.op.elastic, Coupled::reynolds};
+    Monitor monitor{c.g, c.tube, c.op.elastic, c.op.bending, Coupled::reynolds};
 
     template <class F>
     void fill(Location where, ScalarField& field, F f)
