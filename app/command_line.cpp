@@ -44,10 +44,14 @@ void add_others(CLI::App& app, CommandLine& line)
     CLI::App* check = app.add_subcommand(
         "check", "Validate a case and print its numbers, limits and cost; runs nothing");
     add_case(*check, line);
-    CLI::App* theory =
-        app.add_subcommand("theory", "Print what theory predicts for a case: R(x), P(x), Q");
+    CLI::App* theory = app.add_subcommand(
+        "theory", "Print what theory predicts for a case: R(x), P(x), Q, buckling");
     add_case(*theory, line);
-    theory->add_flag("--csv", line.csv, "Print the whole profile as CSV instead");
+    theory
+        ->add_flag("--csv{profile}", line.csv,
+                   "Print a table instead: the profile (--csv), buckling loads (--csv=buckling) or "
+                   "the tube law of the buckled ring (--csv=tube-law)")
+        ->check(CLI::IsMember({"profile", "buckling", "tube-law"}));
     CLI::App* cases = app.add_subcommand("cases", "List the shipped cases, or print one");
     cases->add_option("name", line.name, "Case to print")->option_text("NAME");
     CLI::App* plot = app.add_subcommand("plot", "Draw the results of a run as PNG pictures");

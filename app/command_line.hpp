@@ -15,7 +15,7 @@ struct CommandLine {
     int threads = 0;                    ///< 0: as many as OpenMP offers
     bool force = false;
     bool quiet = false;
-    bool csv = false; ///< theory --csv
+    std::string csv; ///< theory --csv: "profile", "buckling", "tube-law"; empty: text
 };
 
 /// Thrown after --help or --version has been answered.

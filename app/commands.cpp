@@ -11,6 +11,7 @@
 #include "report.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/run.hpp"
+#include "theory/buckling_report.hpp"
 #include "theory/theory_report.hpp"
 
 namespace starling::app {
@@ -40,13 +41,40 @@ void check_command(const CommandLine& line)
     fmt::print("{}", check_text(c, estimate_run(c)));
 }
 
+/// The table that `--csv` asks for.
+std::string theory_table(const std::string& name, const TubeProblem& problem,
+                         const Scaling& scaling)
+{
+    if (name == "profile") return to_csv(theory_report(problem), scaling);
+    const auto buckling = buckling_report(problem);
+    if (!buckling) throw InputError("--csv=" + name + ": this wall does not resist bending");
+    return name == "buckling" ? to_csv(*buckling, scaling) : tube_law_csv(*buckling, scaling);
+}
+
+/// For tubes that may collapse, where the axisymmetric model is not all that theory has to say.
+std::string model_or_its_failure(const TubeProblem& problem, const Scaling& scaling)
+{
+    try {
+        return to_text(theory_report(problem), scaling);
+    } catch (const NumericalError& e) {
+        return std::string(e.what()) + '\n';
+    }
+}
+
 void theory_command(const CommandLine& line)
 {
     const Case c = read_case(line.case_file, line.overrides);
-    const TheoryReport report = theory_report({c.tube, c.material, c.fluid, c.drive});
-    fmt::print("{}", line.csv ? to_csv(report, c.scaling) : to_text(report, c.scaling));
-    if (!has_theory(c) && !line.csv)
+    const TubeProblem problem{c.tube, c.material, c.fluid, c.drive};
+    if (!line.csv.empty()) {
+        fmt::print("{}", theory_table(line.csv, problem, c.scaling));
+        return;
+    }
+    const auto buckling = buckling_report(problem);
+    fmt::print("{}", buckling ? model_or_its_failure(problem, c.scaling)
+                              : to_text(theory_report(problem), c.scaling));
+    if (!has_theory(c))
         fmt::print("This case is outside the model: it holds for steady inflation at Re <= 1.\n");
+    if (buckling) fmt::print("{}", to_text(*buckling, c.scaling));
 }
 
 void cases_command(const CommandLine& line)

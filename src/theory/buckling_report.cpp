@@ -102,9 +102,10 @@ std::string tube_law_text(const BucklingReport& r, const Scaling& scaling)
 
 } // namespace
 
-std::optional<BucklingReport> buckling_report(const TubeProblem& problem, Real E_b)
+std::optional<BucklingReport> buckling_report(const TubeProblem& problem)
 {
-    if (problem.tube.rigid || !(E_b > 0)) return std::nullopt;
+    if (problem.tube.rigid || !(problem.material.bending > 0)) return std::nullopt;
+    const Real E_b = bending_modulus(problem.material, problem.fluid.reynolds);
     const BucklingTube tube{make_material(problem.material, problem.fluid.reynolds), E_b,
                             problem.clamp_outlet() - problem.clamp_inlet()};
     BucklingReport r;

@@ -32,9 +32,9 @@ struct BucklingReport {
     bool buckles() const { return under_own_pressure && under_own_pressure->factor < 1; }
 };
 
-/// Nothing for a rigid tube or a wall that does not resist bending (E_b = 0): without bending the
-/// load falls with n without end.
-std::optional<BucklingReport> buckling_report(const TubeProblem& problem, Real E_b);
+/// Nothing for a rigid tube or a wall that does not resist bending: its load falls with n without
+/// end.
+std::optional<BucklingReport> buckling_report(const TubeProblem& problem);
 
 /// Loads, predicted modes and the tube law of the ring, for people, in the units of `scaling`.
 std::string to_text(const BucklingReport& report, const Scaling& scaling);

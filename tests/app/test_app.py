@@ -126,6 +126,16 @@ def test_check_and_theory(directory):
     expect("Q/Q_0" in result.stdout, result.stdout)
     result = starling("theory", CASE, "--csv")
     expect(result.stdout.startswith("x [R_0],R [R_0],P ["), result.stdout[:80])
+    expect("Buckling" not in starling("theory", CASE).stdout, "a membrane has no buckling load")
+    expect_exit(starling("theory", CASE, "--csv=buckling"), 2)
+    expect_exit(starling("theory", CASE, "--csv=nonsense"), 2)
+    bending = ["theory", CASE, "--set", "wall.bending=0.002", "--set", "drive.pressure_external=1e4"]
+    result = starling(*bending)
+    expect_exit(result, 0)
+    for words in ("times the case's pressures buckle it into n = ", "Tube law", "Q/Q_0"):
+        expect(words in result.stdout, "theory does not say", words, "\n", result.stdout)
+    expect(starling(*bending, "--csv=buckling").stdout.startswith("n [1],p_ring ["), "loads")
+    expect(starling(*bending, "--csv=tube-law").stdout.startswith("n [1],p ["), "tube law")
     expect(not list(directory.iterdir()), "check or theory wrote a file")
 
 

@@ -4,15 +4,14 @@
 
 #include <sstream>
 
-#include "wall/materials.hpp"
-
 namespace starling {
 namespace {
 
-/// Fig. 16 of the paper.
-TubeProblem dumbbell_case()
+/// Fig. 16 of the paper, with another B where given.
+TubeProblem dumbbell_case(Real B = 1.953e-3)
 {
     TubeProblem p;
+    p.material.bending = B;
     p.tube.length = 21;
     p.tube.rigid_inlet = 1;
     p.tube.rigid_outlet = 10;
@@ -24,15 +23,10 @@ TubeProblem dumbbell_case()
     return p;
 }
 
-Real modulus(const TubeProblem& p, Real B)
-{
-    return B * shear_modulus(p.material, p.fluid.reynolds);
-}
-
 TEST(BucklingReport, PaperSDumbbellIsPredictedJustAboveItsLoad)
 {
     const TubeProblem p = dumbbell_case();
-    const auto r = buckling_report(p, modulus(p, 1.953e-3));
+    const auto r = buckling_report(p);
     ASSERT_TRUE(r);
     EXPECT_EQ(r->under_own_pressure->n, 2);
     EXPECT_TRUE(r->buckles());
@@ -46,18 +40,17 @@ TEST(BucklingReport, PaperSDumbbellIsPredictedJustAboveItsLoad)
 
 TEST(BucklingReport, OnlyDifferencesOfPressureCount)
 {
-    TubeProblem p = dumbbell_case();
-    const Real before = buckling_report(p, modulus(p, 1e-3))->under_own_pressure->factor;
+    TubeProblem p = dumbbell_case(1e-3);
+    const Real before = buckling_report(p)->under_own_pressure->factor;
     for (Real* q : {&p.drive.pressure_inlet, &p.drive.pressure_outlet, &p.drive.pressure_external})
         *q += 1000;
-    EXPECT_NEAR(buckling_report(p, modulus(p, 1e-3))->under_own_pressure->factor, before, 1e-8);
+    EXPECT_NEAR(buckling_report(p)->under_own_pressure->factor, before, 1e-8);
 }
 
 TEST(BucklingReport, ReachesBeyondThePredictedMode)
 {
-    const TubeProblem p = dumbbell_case();
     for (const Real B : {1e-2, 1e-4, 1e-7}) {
-        const auto r = buckling_report(p, modulus(p, B));
+        const auto r = buckling_report(dumbbell_case(B));
         EXPECT_LT(r->under_uniform_pressure->n, r->loads.back().n);
         EXPECT_LT(r->under_own_pressure->n, r->loads.back().n);
         EXPECT_GE(r->loads.back().n, 8);
@@ -68,8 +61,9 @@ TEST(BucklingReport, ReachesBeyondThePredictedMode)
 TEST(BucklingReport, InflatedTubesDoNotBuckle)
 {
     TubeProblem p;
+    p.material.bending = 1e-3;
     p.drive.pressure_inlet = 100;
-    const auto r = buckling_report(p, modulus(p, 1e-3));
+    const auto r = buckling_report(p);
     EXPECT_FALSE(r->under_own_pressure);
     EXPECT_FALSE(r->buckles());
     EXPECT_EQ(r->under_uniform_pressure->n, 3); // of its own uniform load there is still a mode
@@ -78,16 +72,16 @@ TEST(BucklingReport, InflatedTubesDoNotBuckle)
 
 TEST(BucklingReport, IsEmptyWithoutBendingOrForARigidTube)
 {
+    EXPECT_FALSE(buckling_report(dumbbell_case(0)));
     TubeProblem p = dumbbell_case();
-    EXPECT_FALSE(buckling_report(p, 0));
     p.tube.rigid = true;
-    EXPECT_FALSE(buckling_report(p, 1));
+    EXPECT_FALSE(buckling_report(p));
 }
 
 TEST(BucklingReport, TextNamesModeAndLoads)
 {
     const TubeProblem p = dumbbell_case();
-    const std::string text = to_text(*buckling_report(p, modulus(p, 1.953e-3)), Scaling{});
+    const std::string text = to_text(*buckling_report(p), Scaling{});
     for (const char* part : {"n = 2", "collapses", "tube at rest", "0.9579", "contact", "0.270948"})
         EXPECT_NE(text.find(part), std::string::npos) << part << '\n' << text;
 }
@@ -95,7 +89,7 @@ TEST(BucklingReport, TextNamesModeAndLoads)
 TEST(BucklingReport, TablesAreInTheUnitsOfTheCase)
 {
     const TubeProblem p = dumbbell_case();
-    const auto r = buckling_report(p, modulus(p, 1.953e-3));
+    const auto r = buckling_report(p);
     const Scaling si{.si = true, .length = 0.005, .velocity = 0.1, .density = 1060};
     std::istringstream loads(to_csv(*r, si)), law(tube_law_csv(*r, si));
     std::string header, row;
