@@ -144,7 +144,8 @@ public:
         if (std::abs(tip_curvature - 1) < 1e-4) return rings_.front();
         ring.tip_curvature = tip_curvature;
         if (!close_ring(ring))
-            throw NumericalError("the equation of the buckled ring could not be solved", "");
+            throw NumericalError("the equation of the buckled ring could not be solved",
+                                 "fewer lobes");
         return ring;
     }
 

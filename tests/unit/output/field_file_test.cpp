@@ -116,7 +116,8 @@ TEST(FieldFile, LeavesNoTemporaryFile)
 
 TEST(FieldFile, DirectoryThatVanishedIsReported)
 {
-    EXPECT_THROW(WallFile({"/nonexistent", Scaling{}}), std::runtime_error);
+    TemporaryDirectory dir;
+    EXPECT_THROW(WallFile({dir.path() / "vanished", Scaling{}}), std::runtime_error);
 }
 
 TEST(FieldFile, EmptyWallIsWritten)
