@@ -4,16 +4,34 @@ import functools
 import json
 import math
 import pathlib
+import sys
 import tomllib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+
+from axisymmetric.case import make_case  # noqa: E402
+from axisymmetric.tube import NoSolution, solve_tube  # noqa: E402
 
 Q_0 = math.pi / 2  # flow rate through the undeformed tube at the baseline pressure drop
 
 
-class Result:
-    """The files of a finished run (docs/results.md)."""
+@functools.cache
+def axisymmetric_tube(case, elements):
+    """Q/Q_0 and R_max of the axisymmetric solution (docs/theory.md); NaN where none is found."""
+    try:
+        tube = solve_tube(case, *elements)
+    except NoSolution:
+        return math.nan, math.nan
+    return tube.Q_over_Q0, tube.R_max
 
-    def __init__(self, directory):
+
+class Result:
+    """The files of a finished run (docs/results.md). `elements` are those of the axisymmetric
+    solution beside it, as of tools/axisymmetric_tube."""
+
+    def __init__(self, directory, elements=(120, 8)):
         self.directory = pathlib.Path(directory)
+        self.elements = elements
         self.summary = json.loads((self.directory / "summary.json").read_text(encoding="utf-8"))
 
     @functools.cached_property
@@ -47,6 +65,17 @@ class Result:
     def displacement_error(self):
         """R_max - 1 over that of the one-dimensional model, minus 1."""
         return self.summary["theory"]["displacement_relative_difference"]
+
+    @property
+    def axisymmetric_flow_error(self):
+        """Q_mid over that of the axisymmetric solution of the same case, minus 1."""
+        return self["Q_mid_over_Q0"] / axisymmetric_tube(make_case(self.case), self.elements)[0] - 1
+
+    @property
+    def axisymmetric_displacement_error(self):
+        """R_max - 1 over that of the axisymmetric solution of the same case, minus 1."""
+        R_max = axisymmetric_tube(make_case(self.case), self.elements)[1]
+        return (self["R_max"] - 1) / (R_max - 1) - 1
 
 
 def columns(path):

@@ -5,3 +5,11 @@ target_include_directories(flow_verification PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
 starling_test(wall_verification verification
   SOURCES verification/wall_stiffness_test.cpp
   DEPENDS starling_theory starling_wall)
+
+# The independent reference of the clamped tube, one test per class of the script.
+foreach(subject Poiseuille StokesFlowInACone Inertia Wall Coupled Tool)
+  add_test(NAME AxisymmetricTube.${subject}
+    COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/axisymmetric_tube_test.py
+            $<TARGET_FILE:starling> ${subject})
+  set_tests_properties(AxisymmetricTube.${subject} PROPERTIES LABELS verification TIMEOUT 300)
+endforeach()
