@@ -231,21 +231,27 @@ TEST(OneDimensional, ShapeDependsOnEpsTimesPressureRatioAndReOverEpsAlone)
 
 TEST(OneDimensional, AgreesWithTheAxisymmetricFlowWhereSlopesAreModerate)
 {
-    // Q/Q_0 and R_max of `tools/axisymmetric_tube --element-counts 120 8`: finite elements for the
-    // same membrane with the full Navier-Stokes equations inside it.
+    // Q/Q_0 and R_max of `tools/axisymmetric_tube cases/inflation.toml --elements 120 8` with the
+    // law, eps and ratio set: finite elements for the same membrane with the full Navier-Stokes
+    // equations inside it, converged to some 1e-4. The tolerances are the differences measured
+    // (docs/theory.md), rounded up.
     struct Row {
         ElasticLaw law;
-        Real eps, ratio, Q_over_Q0, R_max, tolerance;
+        Real eps, ratio, Q_over_Q0, R_max, tolerance_Q, tolerance_R;
     };
-    for (const Row& r : {Row{ElasticLaw::hooke, 0.02, 0.5, 0.6070, 1.1053, 0.002},
-                         Row{ElasticLaw::hooke, 0.02, 1, 1.4494, 1.2061, 0.001},
-                         Row{ElasticLaw::hooke, 0.02, 1.5, 2.5470, 1.3025, 0.001},
-                         Row{ElasticLaw::hooke, 0.02, 3, 7.3079, 1.5568, 0.007},
-                         Row{ElasticLaw::neo_hookean, 0.01, 3, 7.4926, 1.7780, 0.013},
-                         Row{ElasticLaw::neo_hookean, 0.01, 4, 13.930, 2.3851, 0.045}}) {
+    for (const Row& r : {Row{ElasticLaw::hooke, 0.02, 0.5, 0.607091, 1.105260, 0.0008, 0.0008},
+                         Row{ElasticLaw::hooke, 0.02, 1, 1.449798, 1.206222, 0.0012, 0.001},
+                         Row{ElasticLaw::hooke, 0.02, 1.5, 2.548315, 1.302614, 0.001, 0.0007},
+                         Row{ElasticLaw::hooke, 0.02, 3, 7.314155, 1.557058, 0.006, 0.004},
+                         Row{ElasticLaw::hooke, 0.01, 4, 7.825080, 1.394642, 0.0005, 0.0006},
+                         Row{ElasticLaw::neo_hookean, 0.01, 2.5, 5.139261, 1.541014, 0.003, 0.0035},
+                         Row{ElasticLaw::neo_hookean, 0.01, 3, 7.508488, 1.779646, 0.012, 0.0125},
+                         Row{ElasticLaw::neo_hookean, 0.01, 4, 13.976168, 2.389151, 0.042, 0.045},
+                         Row{ElasticLaw::mooney_rivlin, 0.01, 4, 13.339916, 2.119455, 0.03, 0.026},
+                         Row{ElasticLaw::skalak, 0.01, 4, 7.041482, 1.307593, 0.001, 0.001}}) {
         const OneDimensionalTube t = solve_one_dimensional(inflation(r.law, r.eps, r.ratio));
-        EXPECT_NEAR(t.Q / poiseuille::baseline_flow_rate / r.Q_over_Q0, 1, r.tolerance);
-        EXPECT_NEAR((t.R_max - 1) / (r.R_max - 1), 1, r.tolerance);
+        EXPECT_NEAR(t.Q / poiseuille::baseline_flow_rate / r.Q_over_Q0, 1, r.tolerance_Q);
+        EXPECT_NEAR((t.R_max - 1) / (r.R_max - 1), 1, r.tolerance_R);
     }
 }
 
