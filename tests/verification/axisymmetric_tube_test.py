@@ -238,7 +238,8 @@ class Tool(unittest.TestCase):
 
     def test_refuses_other_cases(self):
         for override in ("units=si", "vessel.rigid=true", "wall.law=rubber", "wall.eps=soft",
-                         "drive.pressure_external=100", "drive.pressure_ratio=-1", "wall"):
+                         "wall.bending=0.01", "drive.pressure_external=100",
+                         "drive.pressure_ratio=-1", "wall"):
             result = self.run_tool(CASE, "--set", override)
             self.assertEqual(result.returncode, 2, override)
             self.assertIn("axisymmetric_tube: ", result.stderr)

@@ -96,6 +96,9 @@ def make_case(document):
         raise CaseError("units: only dimensionless cases")
     if document.get("vessel", {}).get("rigid", False):
         raise CaseError("vessel.rigid: the tube must be compliant")
+    wall = document.get("wall", {})
+    if wall.get("bending", 0) != 0 or "bending_thickness" in wall:
+        raise CaseError("wall.bending: the wall must be a membrane")
     Re = positive(document, "fluid", "reynolds")
     length, inlet, outlet = (positive(document, "vessel", key)
                              for key in ("length", "rigid_inlet", "rigid_outlet"))
