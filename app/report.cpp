@@ -114,7 +114,7 @@ std::string phase_text(const Summary& s)
 std::string files_text(const Case& c, const std::filesystem::path& directory)
 {
     std::string text = "Files in " + directory.string() + " (docs/results.md)\n";
-    text += "  summary.json, series.csv, profile.csv, case.toml\n";
+    text += "  summary.json, series.csv, profile.csv, sections.csv, case.toml\n";
     if (c.output.wall || c.output.fluid) {
         text += std::string("  ") + (c.output.wall ? "wall.xdmf" : "") +
                 (c.output.wall && c.output.fluid ? ", " : "") +

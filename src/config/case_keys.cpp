@@ -166,6 +166,11 @@ std::vector<KeyRule> wall_keys()
          positive_to(0.5)},
         {"wall", "edge_over_spacing", number, "triangle edge over grid spacing", none,
          closed(0.2, 2)},
+        {"wall", "contact", number,
+         "pressure that keeps opposite walls apart when they touch, in G_s/R_0", none,
+         closed(0, 10)},
+        {"wall", "smoothing", number, "alpha of the smoothing velocity, in U_c R_0^3", none,
+         closed(0, 1)},
         {"wall", "mesh_filter", number,
          "rate of the filter of the shortest waves, in 1/(8 eps Delta)", none, closed(0, 1)},
     };

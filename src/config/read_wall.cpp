@@ -22,6 +22,7 @@ void read_tube(CaseValues& values, TubeParameters& tube)
     values.fill("vessel.rigid_outlet", tube.rigid_outlet);
     values.fill("wall.edge_over_spacing", tube.edge_over_spacing);
     values.fill("wall.mesh_filter", tube.mesh_filter);
+    values.fill("wall.smoothing", tube.smoothing);
 }
 
 void refuse_unused(CaseValues& values, std::string_view name, std::string_view law)
@@ -165,6 +166,7 @@ void read_wall(CaseValues& values, Case& c)
     }
     read_eps(values, c, elastic, c.material);
     read_bending(values, c, c.material);
+    values.fill("wall.contact", c.material.contact);
     read_perturbation(values, c.perturbation);
 }
 

@@ -173,6 +173,8 @@ void write_wall(CaseWriter& w, const Case& c)
     if (m.law == ElasticLaw::skalak) w.number("skalak_C", m.skalak_C);
     write_bending(w, c);
     w.number("edge_over_spacing", c.tube.edge_over_spacing);
+    w.number("contact", c.material.contact);
+    w.number("smoothing", c.tube.smoothing);
     w.number("mesh_filter", c.tube.mesh_filter);
 }
 

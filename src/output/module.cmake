@@ -1,5 +1,5 @@
 starling_module(output
-  SOURCES table.cpp series.cpp profile.cpp hdf5_file.cpp xdmf.cpp replace_file.cpp field_file.cpp
+  SOURCES table.cpp series.cpp profile.cpp sections.cpp hdf5_file.cpp xdmf.cpp replace_file.cpp field_file.cpp
           run_directory.cpp summary.cpp version.cpp
   DEPENDS starling_core starling_config fmt::fmt nlohmann_json::nlohmann_json
           starling_hdf5)

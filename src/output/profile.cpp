@@ -14,6 +14,15 @@ std::span<const Column<ProfileRow>> profile_columns()
         {"P_centre", pressure, &ProfileRow::P_centre, "pressure on the axis"},
         {"P_transmural", pressure, &ProfileRow::P_transmural, "internal - external pressure"},
         {"Q", flow_rate, &ProfileRow::Q, "flow rate inside the tube"},
+        {"gap", length, &ProfileRow::gap, "smallest distance of opposite walls"},
+        {"lobes", none, &ProfileRow::lobes, "number of lobes, 0 where round"},
+        {"mode_2", length, &ProfileRow::mode_2, "amplitude of two lobes in the radius"},
+        {"mode_3", length, &ProfileRow::mode_3, "of three"},
+        {"mode_4", length, &ProfileRow::mode_4, "of four"},
+        {"mode_5", length, &ProfileRow::mode_5, "of five"},
+        {"mode_6", length, &ProfileRow::mode_6, "of six"},
+        {"mode_7", length, &ProfileRow::mode_7, "of seven"},
+        {"mode_8", length, &ProfileRow::mode_8, "of eight"},
     };
     return columns;
 }

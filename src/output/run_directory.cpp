@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Everything that a run and `starling plot` write; each may leave a NAME.new after a kill.
-constexpr const char* result_files[] = {"case.toml",  "summary.json", "series.csv",   "profile.csv",
-                                        "theory.csv", "wall.h5",      "wall.xdmf",    "fluid.h5",
-                                        "fluid.xdmf", "tube.png",     "profiles.png", "history.png",
-                                        "flow.png"};
+constexpr const char* result_files[] = {
+    "case.toml",  "summary.json", "series.csv",  "profile.csv", "sections.csv",
+    "theory.csv", "wall.h5",      "wall.xdmf",   "fluid.h5",    "fluid.xdmf",
+    "tube.png",   "profiles.png", "history.png", "flow.png"};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)

@@ -45,6 +45,9 @@ void put_sample(Json& json, Json& units, const Scaling& scaling, const Summary& 
          {"x_R_max", length, last.x_R_max},
          {"R_min", length, last.R_min},
          {"smallest_gap", length, last.smallest_gap},
+         {"min_gap_over_spacing", none, last.smallest_gap / s.spacing},
+         {"min_area_ratio", none, last.min_area_ratio},
+         {"x_min_area", length, last.x_min_area},
          {"volume", volume, last.volume},
          {"max_strain", none, last.max_strain},
          {"elastic_energy", energy, last.elastic_energy},
@@ -100,6 +103,7 @@ std::string summary_json(const Summary& summary, const Scaling& scaling)
     json["reason"] = summary.reason;
     json["steps"] = summary.last.step;
     put_sample(json, units, scaling, summary);
+    json["mode"] = summary.last.lobes;
     json["theory"] = theory_json(summary, scaling);
     units["theory.Q_1d"] = scaling.unit(Quantity::flow_rate);
     units["theory.R_max_1d"] = scaling.unit(Quantity::length);

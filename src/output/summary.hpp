@@ -24,6 +24,7 @@ struct Summary {
     bool converged = false; ///< the steady criterion was met
     std::string reason;     ///< why the run ended
     Sample last;            ///< final sample
+    Real spacing = 0;       ///< of the grid
     Real Q_0 = pi / 2;      ///< flow rate through the undeformed tube at U_c
     double wall_seconds = 0;
     double cell_steps_per_second = 0;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "config/write_case.hpp"
 #include "core/error.hpp"
 #include "core/for_each.hpp"
@@ -12,6 +14,7 @@
 #include "output/profile.hpp"
 #include "output/replace_file.hpp"
 #include "output/run_directory.hpp"
+#include "output/sections.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 #include "simulation/stop.hpp"
@@ -21,6 +24,7 @@ namespace starling {
 
 namespace {
 
+constexpr Real least_resolved_gap = 2;      ///< in grid spacings
 constexpr Real largest_theory_reynolds = 1; ///< the one-dimensional model has no inertia
 constexpr Real closest_targets = 0.25;      ///< in steps: times nearer to each other are one
 constexpr Real leak_to_warn_of = 0.02;      ///< share of the flow
@@ -96,6 +100,7 @@ public:
     void finish(const Simulation& simulation)
     {
         write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
+        write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
         if (simulation.steps() > wall_step_) wall(simulation);
         if (simulation.steps() > fluid_step_) fluid(simulation);
     }
@@ -220,6 +225,7 @@ private:
         s.converged = converged;
         s.reason = reason;
         s.last = last_;
+        s.spacing = simulation_.spacing();
         s.wall_seconds = seconds();
         s.cell_steps_per_second = steps_per_second() * static_cast<double>(simulation_.cells());
         s.threads = max_threads();
@@ -241,6 +247,10 @@ private:
         if (std::abs(s.leak_over_Q()) > leak_to_warn_of)
             found.push_back("the leak through the wall is " + percent_text(s.leak_over_Q()) +
                             " of the flow: a finer grid lets less through");
+        if (last_.smallest_gap < least_resolved_gap * s.spacing)
+            found.push_back(fmt::format("opposite walls are {:.2g} grid spacings apart: the flow "
+                                        "between them is not resolved below 2",
+                                        last_.smallest_gap / s.spacing));
         if (s.theory && !s.converged)
             found.push_back("the run ended before it was found steady; the one-dimensional model "
                             "is steady");

@@ -20,16 +20,21 @@ Tube make_tube(const Case& c, const Grid& g)
     return make_tube(c.tube, c.tube.edge_over_spacing * g.delta());
 }
 
+constexpr Real contact_range = 2; ///< gap below which walls repel each other, in grid spacings
+
 WallModel wall_model(const Case& c, Real delta)
 {
     const Real reynolds = c.fluid.reynolds;
     // The filter works as fast as waves of the grid's scale relax.
-    return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds),
-            c.tube.mesh_filter / grid_wave_time(c, delta)};
+    const ContactParameters contact = {c.material.contact * shear_modulus(c.material, reynolds),
+                                       contact_range * delta};
+    return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds), contact,
+            c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing};
 }
 
 constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
 constexpr Index steps_between_copies = 50; ///< of a sound state
+constexpr Real touching = 0.25;            ///< gap at which walls touch, in grid spacings
 constexpr Real largest_move = 0.5;         ///< of the wall in a step, in grid spacings
 
 } // namespace
@@ -195,6 +200,37 @@ struct Simulation::Impl {
         }
     }
 
+    /// Stops before opposite walls pass through each other, and where they have.
+    void check_walls() const
+    {
+        if (smallest_gap(tube, state.wall.x) >= touching * grid.delta() && !tangled()) return;
+        for (Index ring = 0; ring < tube.rings(); ++ring) {
+            if (crosses_itself(tube, state.wall.x, ring))
+                fail("the wall has gone through itself" + section_of(ring), shorter_step());
+            if (smallest_gap(tube, state.wall.x, ring) < touching * grid.delta())
+                fail("opposite walls touch" + section_of(ring),
+                     "a finer grid, or a repulsion that keeps them apart (wall.contact)");
+        }
+    }
+
+    /// Whether a cross-section crosses itself.
+    bool tangled() const
+    {
+        int count = 0;
+#pragma omp parallel for schedule(static) reduction(+ : count)
+        for (Index ring = tube.clamp_in; ring < tube.clamp_out; ++ring)
+            count += crosses_itself(tube, state.wall.x, ring);
+        return count > 0;
+    }
+
+    std::string section_of(Index ring) const
+    {
+        return fmt::format(" at x = {:.6g} {}",
+                           tube.ring_x[static_cast<std::size_t>(ring)] *
+                               description.scaling.factor(Quantity::length),
+                           description.scaling.unit(Quantity::length));
+    }
+
     /// One step of at most state.dt; ends exactly at `until` if it gets there.
     void step(Real until)
     {
@@ -204,7 +240,10 @@ struct Simulation::Impl {
         const Real dt = std::isfinite(until) ? step_towards(remaining, state.dt) : state.dt;
         if (!advance(state, op, workspace, dt)) report_wall();
         if (dt >= remaining) state.t = until;
-        if (state.step % steps_between_checks == 0) check_speed_and_step();
+        if (state.step % steps_between_checks == 0) {
+            check_walls();
+            check_speed_and_step();
+        }
     }
 };
 
@@ -218,6 +257,7 @@ Real Simulation::time() const { return impl_->state.t; }
 Index Simulation::steps() const { return impl_->state.step; }
 Real Simulation::dt() const { return impl_->state.dt; }
 const TimeStepLimit& Simulation::limiting() const { return smallest(impl_->limits); }
+Real Simulation::spacing() const { return impl_->grid.delta(); }
 Index Simulation::cells() const { return impl_->grid.cell_count(); }
 Index Simulation::vertices() const { return impl_->tube.mesh.vertex_count(); }
 Index Simulation::elements() const { return impl_->tube.mesh.element_count(); }
@@ -231,6 +271,11 @@ Sample Simulation::sample()
 }
 
 std::vector<ProfileRow> Simulation::profile() const { return impl_->monitor.profile(impl_->state); }
+
+std::vector<SectionPoint> Simulation::sections() const
+{
+    return impl_->monitor.sections(impl_->state);
+}
 
 WallSnapshot Simulation::wall_snapshot() const
 {

@@ -36,6 +36,7 @@ public:
     Index steps() const;
     Real dt() const;                       ///< longest step the next call of step() takes
     const TimeStepLimit& limiting() const; ///< the bound that sets dt
+    Real spacing() const;                  ///< of the grid, the mean over the directions
     Index cells() const;
     Index vertices() const;
     Index elements() const;
@@ -43,6 +44,7 @@ public:
     /// Monitored numbers of the present state; also drives the steadiness test.
     Sample sample();
     std::vector<ProfileRow> profile() const;
+    std::vector<SectionPoint> sections() const;
     WallSnapshot wall_snapshot() const;
     FluidSnapshot fluid_snapshot() const;
     std::vector<PhaseTime> phase_times() const;

@@ -32,6 +32,12 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
                                                    c.material.eps * edge * edge * edge /
                                                    c.material.bending});
     }
+    // Explicit surface diffusion: stable up to 0.8 l^4/alpha.
+    if (!c.tube.rigid && c.tube.smoothing > 0) {
+        const Real edge = c.tube.edge_over_spacing * spacing;
+        limits.push_back(
+            {"surface smoothing", safety * 0.4 * std::pow(edge, 4) / c.tube.smoothing});
+    }
     // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
     // u^2 dt < 2/Re, so the CFL number may rise to 0.5.
     const Real u = std::max(u_max, 1e-12);

@@ -48,46 +48,6 @@ Monitor::Ring Monitor::ring_radius(const Array<Vec3>& x, Index ring) const
     return r;
 }
 
-// From each vertex of a ring along its inner normal to where the line leaves the lumen, if the wall
-// there faces the vertex to within about 18 degrees (else it is the end of a fold).
-Real Monitor::smallest_gap(const Array<Vec3>& x) const
-{
-    Real gap = std::numeric_limits<Real>::max();
-    const VertexIndex n = tube_->ring_size;
-#pragma omp parallel for schedule(static) reduction(min : gap)
-    for (Index ring = 0; ring < tube_->rings(); ++ring) {
-        const Vec3* p = &x[tube_->first(ring)];
-        for (VertexIndex a = 0; a < n; ++a) gap = std::min(gap, lumen_width(p, n, a));
-    }
-    return gap;
-}
-
-Real Monitor::lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
-{
-    constexpr Real aligned = 0.95;
-    // corners run counter-clockwise in (y, z): the inside is on the left
-    const Vec3 along = p[(a + 1) % n] - p[(a + n - 1) % n];
-    const Vec3 d = (1 / norm(along)) * Vec3{0, -along.z, along.y};
-    const auto side = [&](const Vec3& q) { return d.y * (q.z - p[a].z) - d.z * (q.y - p[a].y); };
-    Real width = std::numeric_limits<Real>::max();
-    bool faces = false;
-    Real s = side(p[(a + 1) % n]);
-    for (VertexIndex m = 1; m + 1 < n; ++m) { // the sides that do not end in a
-        const Vec3 &b = p[(a + m) % n], &c = p[(a + m + 1) % n];
-        const Real t = side(c);
-        if ((s < 0) != (t < 0)) {
-            const Vec3 hit = b + s / (s - t) * (c - b) - p[a];
-            const Real distance = dot(hit, d);
-            if (distance > 0 && distance < width) {
-                width = distance;
-                faces = d.y * (c.z - b.z) - d.z * (c.y - b.y) > aligned * norm(c - b);
-            }
-        }
-        s = t;
-    }
-    return faces ? width : std::numeric_limits<Real>::max();
-}
-
 Vec3 Monitor::outward_normal(VertexIndex v) const
 {
     const Vec3 a = geometry_.vertex_area()[v];
@@ -120,6 +80,35 @@ Real Monitor::volume_rate(const State& s)
     return (enclosed_volume(*tube_, s.wall.x) - enclosed_volume(*tube_, before_)) / dt;
 }
 
+namespace {
+
+Real width_or_nan(Real width)
+{
+    return width < no_gap ? width : std::numeric_limits<Real>::quiet_NaN();
+}
+
+} // namespace
+
+void Monitor::add_narrowest_section(const Array<Vec3>& x, Sample& a) const
+{
+    Index narrowest = 0;
+    Real least = std::numeric_limits<Real>::max();
+    for (Index ring = 0; ring < tube_->rings(); ++ring) {
+        const Real area = ring_area(*tube_, x, ring);
+        if (area < least) least = area, narrowest = ring;
+    }
+    a.min_area_ratio = least / undeformed_area();
+    a.x_min_area = tube_->ring_x[static_cast<std::size_t>(narrowest)];
+    a.lobes = radius_modes(*tube_, x, narrowest).lobes();
+}
+
+/// Of the polygon through a ring's vertices.
+Real Monitor::undeformed_area() const
+{
+    const auto n = static_cast<Real>(tube_->ring_size);
+    return n / 2 * std::sin(2 * pi / n);
+}
+
 Sample Monitor::sample(const State& s)
 {
     const Array<Vec3>& x = s.wall.x;
@@ -144,7 +133,8 @@ Sample Monitor::sample(const State& s)
         a.R_max = r.mean;
         a.x_R_max = tube_->ring_x[static_cast<std::size_t>(ring)];
     }
-    a.smallest_gap = smallest_gap(x);
+    a.smallest_gap = width_or_nan(smallest_gap(*tube_, x));
+    add_narrowest_section(x, a);
     a.kinetic_energy = kinetic_energy(s.fluid.u);
     a.elastic_energy = elastic_->energy(x);
     a.bending_energy = bending_->energy(x, geometry_);
@@ -157,14 +147,18 @@ Sample Monitor::sample(const State& s)
     return a;
 }
 
-// Beyond the smeared pressure jump of +-2 spacings.
+// Beyond the smeared pressure jump of +-2 spacings, but not past the middle of the lumen.
 Real Monitor::transmural_pressure(const State& s, VertexIndex v) const
 {
-    const Vec3 reach = 2.5 * grid_.delta() * outward_normal(v);
+    const Array<Vec3>& x = s.wall.x;
+    const VertexIndex n = tube_->ring_size, first = v / n * n;
+    const Vec3 normal = outward_normal(v);
+    const Real beyond = 2.5 * grid_.delta();
+    const Real inside = std::min(beyond, lumen_width(&x[first], n, v - first) / 2);
     const auto P = [&](const Vec3& p) {
         return interpolate_at(grid_, Location::cell, s.fluid.P, p);
     };
-    return P(s.wall.x[v] - reach) - P(s.wall.x[v] + reach);
+    return P(x[v] - inside * normal) - P(x[v] + beyond * normal);
 }
 
 /// Magnitude of mu d(u_tangential)/dn at the inner side, from probes 1.5 and 3 spacings inside.
@@ -181,6 +175,32 @@ Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
         return d - dot(d, n) * n;
     };
     return inv_reynolds_ * norm((1 / (2 * step)) * (4 * slip(step) - slip(2 * step)));
+}
+
+namespace {
+
+void add_shape(const RadiusModes& modes, ProfileRow& row)
+{
+    row.lobes = modes.lobes();
+    row.mode_2 = modes.amplitude[2];
+    row.mode_3 = modes.amplitude[3];
+    row.mode_4 = modes.amplitude[4];
+    row.mode_5 = modes.amplitude[5];
+    row.mode_6 = modes.amplitude[6];
+    row.mode_7 = modes.amplitude[7];
+    row.mode_8 = modes.amplitude[8];
+}
+
+} // namespace
+
+std::vector<SectionPoint> Monitor::sections(const State& s) const
+{
+    std::vector<SectionPoint> points;
+    for (VertexIndex v = 0; v < tube_->mesh.vertex_count(); ++v) {
+        const Vec3 &X = tube_->X[static_cast<std::size_t>(v)], &p = s.wall.x[v];
+        points.push_back({X.x, std::atan2(X.z, X.y), p.y, p.z});
+    }
+    return points;
 }
 
 std::vector<ProfileRow> Monitor::profile(const State& s)
@@ -200,6 +220,8 @@ std::vector<ProfileRow> Monitor::profile(const State& s)
         row.R_min = r.min;
         row.R_max = r.max;
         row.area = ring_area(*tube_, x, ring);
+        add_shape(radius_modes(*tube_, x, ring), row);
+        row.gap = width_or_nan(smallest_gap(*tube_, x, ring));
         row.P_centre = interpolate_at(grid_, Location::cell, s.fluid.P, {row.x, 0, 0});
         for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v)
             row.P_transmural += transmural_pressure(s, v) / tube_->ring_size;

@@ -4,6 +4,7 @@
 #include "solver/monitor_data.hpp"
 #include "solver/operators.hpp"
 #include "solver/state.hpp"
+#include "wall/lumen.hpp"
 
 namespace starling {
 
@@ -23,6 +24,8 @@ public:
 
     Sample sample(const State& s);
     std::vector<ProfileRow> profile(const State& s);
+    /// The cross-sections through the rings of vertices.
+    std::vector<SectionPoint> sections(const State& s) const;
     WallSnapshot wall(const State& s, const Array<Vec3>& elastic_force);
     FluidSnapshot fluid(const State& s) const;
 
@@ -31,10 +34,8 @@ private:
         Real mean = 0, min = 0, max = 0;
     };
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
-    Real smallest_gap(const Array<Vec3>& x) const;
-    /// Width of the lumen of the polygon p of n corners, seen from corner a; huge if it does not
-    /// face another wall.
-    static Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a);
+    void add_narrowest_section(const Array<Vec3>& x, Sample& a) const;
+    Real undeformed_area() const;
     Real kinetic_energy(const VectorField& u) const;
     Real volume_rate(const State& s);
     Real transmural_pressure(const State& s, VertexIndex v) const;

@@ -22,6 +22,9 @@ struct Sample {
     Real R_max = 0, x_R_max = 0; ///< largest ring-averaged radius and where
     Real R_min = 0;              ///< smallest vertex distance from the axis
     Real smallest_gap = 0;       ///< smallest distance between opposite walls
+    Real min_area_ratio = 1;     ///< smallest cross-section over the undeformed one
+    Real x_min_area = 0;         ///< where it is
+    Index lobes = 0;             ///< of that cross-section; 0: round
     Real kinetic_energy = 0, elastic_energy = 0, bending_energy = 0;
     Real largest_displacement = 0;
     Real max_strain = 0; ///< largest principal stretch - 1
@@ -36,6 +39,17 @@ struct ProfileRow {
     Real P_centre = 0;     ///< pressure on the tube's axis
     Real P_transmural = 0; ///< ring-averaged internal - external pressure
     Real Q = 0;            ///< flow rate inside the tube
+    Real gap = 0;          ///< smallest distance between opposite walls
+    Index lobes = 0;       ///< 0: round
+    /// Amplitudes of cos and sin(n theta) in the radius at the vertices' undeformed angles.
+    Real mode_2 = 0, mode_3 = 0, mode_4 = 0, mode_5 = 0, mode_6 = 0, mode_7 = 0, mode_8 = 0;
+};
+
+/// One row of sections.csv: a wall vertex in its cross-section.
+struct SectionPoint {
+    Real x = 0;     ///< of the section
+    Real theta = 0; ///< angle at which the vertex stood in the undeformed tube, from the y axis
+    Real y = 0, z = 0;
 };
 
 /// Named values on points or cells, `components` per location, interleaved.

@@ -5,8 +5,10 @@
 #include "flow/projection.hpp"
 #include "immersed_boundary/coupling.hpp"
 #include "wall/bending_force.hpp"
+#include "wall/contact.hpp"
 #include "wall/elastic_force.hpp"
 #include "wall/mesh_filter.hpp"
+#include "wall/smoothing.hpp"
 
 namespace starling {
 
@@ -23,8 +25,10 @@ enum class Phase : std::size_t {
 /// What the wall resists with, in solver units.
 struct WallModel {
     Material material;
-    Real E_b = 0;         ///< bending modulus (rho U_c^2 R_0^3)
+    Real E_b = 0; ///< bending modulus (rho U_c^2 R_0^3)
+    ContactParameters contact;
     Real filter_rate = 0; ///< of the mesh filter (U_c/R_0)
+    Real smoothing = 0;   ///< alpha of the smoothing velocity (U_c R_0^3)
 };
 
 /// Holds references to `tube`, which must outlive it.
@@ -33,15 +37,18 @@ struct Operators {
     Geometry geometry;
     ElasticForce elastic;
     Bending bending;
+    Contact contact;
     Coupling coupling;
     Momentum momentum;
     Projection projection;
+    SurfaceSmoothing smoothing;
     MeshFilter filter;
 
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
         : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
-          coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
+          contact(tube, wall.contact), coupling(g, tube, geometry, scheme), momentum(g, fluid),
+          projection(g, fluid, drive), smoothing(tube, wall.smoothing),
           filter(tube, wall.filter_rate)
     {
     }

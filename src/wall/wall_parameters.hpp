@@ -13,6 +13,7 @@ struct TubeParameters {
     Real rigid_outlet = 0.39;      ///< length of the rigid outlet
     bool rigid = false;            ///< the whole tube is rigid (rigid_inlet, rigid_outlet unused)
     Real edge_over_spacing = 0.65; ///< triangle edge relative to the grid spacing
+    Real smoothing = 0;            ///< alpha of the smoothing velocity (U_c R_0^3)
     Real mesh_filter = 1;          ///< rate of the filter of the shortest waves, in 1/(8 eps Delta)
 };
 
@@ -26,6 +27,7 @@ struct MaterialParameters {
         0.5;           ///< nu_s (Hooke; for Skalak it sets C = nu_s/(1 - nu_s) unless C is given)
     Real psi = 0.5;    ///< Mooney-Rivlin Psi in [0, 1]
     Real skalak_C = 1; ///< Skalak's area modulus over G_s
+    Real contact = 0;  ///< pressure that keeps touching walls apart, in G_s/R_0; 0: none
     Real bending = 0;  ///< B = E_b/(R_0^2 G_s); 0: a membrane
 };
 

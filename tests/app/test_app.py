@@ -146,8 +146,8 @@ def test_run(directory):
     for words in ("Ended (steps) after 5 steps", "one-dimensional model", "Time per phase",
                   str(out)):
         expect(words in result.stdout, "run does not say", words, "\n", result.stdout)
-    expected = {"case.toml", "theory.csv", "series.csv", "profile.csv", "summary.json", "wall.h5",
-                "wall.xdmf", "fluid.h5", "fluid.xdmf"}
+    expected = {"case.toml", "theory.csv", "series.csv", "profile.csv", "sections.csv", "summary.json",
+                "wall.h5", "wall.xdmf", "fluid.h5", "fluid.xdmf"}
     expect({p.name for p in out.iterdir()} == expected, sorted(out.iterdir()))
     check_tables(out)
     summary = summary_of(out)
@@ -166,7 +166,7 @@ def check_tables(out):
     series = rows_of(out / "series.csv")
     expect([row[1] for row in series[1:]] == ["0", "2", "4", "5"], series)
     document = (SOURCE / "docs" / "results.md").read_text(encoding="utf-8")
-    for name in ("series.csv", "profile.csv", "theory.csv"):
+    for name in ("series.csv", "profile.csv", "sections.csv", "theory.csv"):
         for title in rows_of(out / name)[0]:
             column, unit = re.fullmatch(r"(\w+) \[(.+)\]", title).groups()
             expect(f"`{column}`" in document, column, "is not in docs/results.md")

@@ -27,7 +27,8 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.tube.rigid_outlet,     c.tube.edge_over_spacing,
                    c.material.eps,          c.material.poisson_ratio,
                    c.material.psi,          c.material.skalak_C,
-                   c.material.bending,      c.perturbation.amplitude,
+                   c.material.bending,      c.material.contact,
+                   c.tube.smoothing,        c.perturbation.amplitude,
                    c.tube.mesh_filter,      c.time.safety,
                    c.scaling.length,        c.scaling.velocity,
                    c.scaling.density})

@@ -38,6 +38,7 @@ TEST(WriteCase, ReadsBackToTheSameBits)
         {"time.safety=0.7", "output.wall=false", "output.fluid=false", "stop.steps=7"},
         {"grid.spacing=", "grid.cells=[125, 47, 48]"},
         {"vessel.rigid=true"},
+        {"wall.contact=0.3", "wall.smoothing=1e-4"},
         {"title=\"quotes \\\" and \\\\ and \\n and \\u001b and µ\""},
     };
     for (const auto& overrides : changes) {

@@ -79,8 +79,10 @@ std::vector<Model> every_model()
 }
 
 struct EveryModel : testing::TestWithParam<Model> {
-    CoupledParameters parameters{
-        .material = GetParam().material, .scheme = GetParam().scheme, .E_b = 2};
+    CoupledParameters parameters{.material = GetParam().material,
+                                 .scheme = GetParam().scheme,
+                                 .E_b = 2,
+                                 .contact = {.pressure = 1, .range = 1}};
 };
 
 TEST_P(EveryModel, OneAndTwoThreadsGiveTheSameBits)

@@ -77,6 +77,48 @@ TEST_F(Monitored, RadiiOfAnInflatedTube)
     EXPECT_GT(a.elastic_energy, 0);
 }
 
+TEST_F(Monitored, NarrowestSectionHasItsAreaPlaceAndLobes)
+{
+    const Sample round = monitor.sample(c.s);
+    EXPECT_NEAR(round.min_area_ratio, 1, 1e-12);
+    EXPECT_EQ(round.lobes, 0);
+    c.s.wall.x = support::positions(c.tube, support::dumbbell(0.2));
+    const Sample narrow = monitor.sample(c.s);
+    EXPECT_EQ(narrow.lobes, 2);
+    EXPECT_NEAR(narrow.x_min_area, (c.tube.x_clamp_in() + c.tube.x_clamp_out()) / 2, 0.1);
+    Real least = 1;
+    for (const ProfileRow& row : monitor.profile(c.s)) least = std::min(least, row.area / pi);
+    EXPECT_NEAR(narrow.min_area_ratio, least, 0.02);
+    EXPECT_LT(least, 0.8);
+}
+
+TEST_F(Monitored, ProfileHasTheShapeOfEverySection)
+{
+    c.s.wall.x = support::positions(c.tube, support::lobed(3, 0.3));
+    const std::vector<ProfileRow> rows = monitor.profile(c.s);
+    const ProfileRow &rigid = rows.front(), &middle = rows[rows.size() / 2];
+    EXPECT_EQ(rigid.lobes, 0);
+    EXPECT_NEAR(rigid.mode_3, 0, 1e-12);
+    EXPECT_NEAR(rigid.gap, 2, 1e-12);
+    EXPECT_EQ(middle.lobes, 3);
+    EXPECT_NEAR(middle.mode_3, 0.3, 0.02);
+    EXPECT_NEAR(middle.mode_2, 0, 1e-12);
+}
+
+TEST_F(Monitored, SectionsAreTheRings)
+{
+    c.s.wall.x = support::positions(c.tube, support::dumbbell(0.2));
+    const std::vector<SectionPoint> points = monitor.sections(c.s);
+    ASSERT_EQ(points.size(), c.tube.X.size());
+    for (std::size_t v = 0; v < points.size(); ++v) {
+        const Vec3& p = c.s.wall.x[static_cast<Index>(v)];
+        EXPECT_EQ(points[v].x, p.x);
+        EXPECT_EQ(points[v].y, p.y);
+        EXPECT_EQ(points[v].z, p.z);
+        EXPECT_NEAR(std::cos(points[v].theta), c.tube.X[v].y, 1e-14);
+    }
+}
+
 TEST_F(Monitored, FlowRatesOfPoiseuilleFlow)
 {
     fill_poiseuille();

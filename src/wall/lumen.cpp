@@ -1,0 +1,103 @@
+#include "wall/lumen.hpp"
+
+namespace starling {
+
+namespace {
+
+constexpr Real facing = 0.95;      ///< cosine of the angle to which opposite walls face each other
+constexpr Real least_lobes = 0.01; ///< amplitude from which a section counts as lobed
+
+/// Twice the signed area of the triangle a, b, c in the plane of the section.
+Real turn(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    return (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
+}
+
+bool cross_each_other(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
+{
+    return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
+}
+
+} // namespace
+
+Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
+{
+    // corners run counter-clockwise in (y, z): the inside is on the left
+    const Vec3 along = p[(a + 1) % n] - p[(a + n - 1) % n];
+    const Vec3 d = (1 / norm(along)) * Vec3{0, -along.z, along.y};
+    const auto side = [&](const Vec3& q) { return d.y * (q.z - p[a].z) - d.z * (q.y - p[a].y); };
+    Real width = no_gap;
+    bool faces = false;
+    Real s = side(p[(a + 1) % n]);
+    for (VertexIndex m = 1; m + 1 < n; ++m) { // the sides that do not end in a
+        const Vec3 &b = p[(a + m) % n], &c = p[(a + m + 1) % n];
+        const Real t = side(c);
+        if ((s < 0) != (t < 0)) {
+            const Vec3 hit = b + s / (s - t) * (c - b) - p[a];
+            const Real distance = dot(hit, d);
+            if (distance > 0 && distance < width) {
+                width = distance;
+                faces = d.y * (c.z - b.z) - d.z * (c.y - b.y) > facing * norm(c - b);
+            }
+        }
+        s = t;
+    }
+    return faces ? width : no_gap;
+}
+
+Real smallest_gap(const Tube& tube, const Array<Vec3>& x, Index ring)
+{
+    Real gap = no_gap;
+    for (VertexIndex a = 0; a < tube.ring_size; ++a)
+        gap = std::min(gap, lumen_width(&x[tube.first(ring)], tube.ring_size, a));
+    return gap;
+}
+
+Real smallest_gap(const Tube& tube, const Array<Vec3>& x)
+{
+    Real gap = no_gap;
+#pragma omp parallel for schedule(static) reduction(min : gap)
+    for (Index ring = 0; ring < tube.rings(); ++ring)
+        gap = std::min(gap, smallest_gap(tube, x, ring));
+    return gap;
+}
+
+bool crosses_itself(const Tube& tube, const Array<Vec3>& x, Index ring)
+{
+    const VertexIndex n = tube.ring_size;
+    const Vec3* p = &x[tube.first(ring)];
+    for (VertexIndex a = 0; a < n; ++a)
+        for (VertexIndex b = a + 2; b < n; ++b) {
+            if (a == 0 && b + 1 == n) continue; // neighbours
+            if (cross_each_other(p[a], p[a + 1], p[b], p[(b + 1) % n])) return true;
+        }
+    return false;
+}
+
+RadiusModes radius_modes(const Tube& tube, const Array<Vec3>& x, Index ring)
+{
+    RadiusModes modes;
+    const VertexIndex size = tube.ring_size;
+    for (std::size_t n = 0; n < RadiusModes::count; ++n) {
+        Real c = 0, s = 0;
+        for (VertexIndex v = tube.first(ring); v < tube.first(ring + 1); ++v) {
+            const Vec3& X = tube.X[static_cast<std::size_t>(v)];
+            const Real theta = static_cast<Real>(n) * std::atan2(X.z, X.y);
+            const Real r = std::hypot(x[v].y, x[v].z);
+            c += r * std::cos(theta);
+            s += r * std::sin(theta);
+        }
+        const auto two_n = static_cast<VertexIndex>(2 * n);
+        const Real half = n == 0 || two_n == size ? 1 : 2; // the mean, or an unresolved phase
+        modes.amplitude[n] = two_n > size ? 0 : half * std::hypot(c, s) / size;
+    }
+    return modes;
+}
+
+Index RadiusModes::lobes() const
+{
+    const auto most = std::max_element(amplitude.begin() + 2, amplitude.end());
+    return *most < least_lobes * amplitude[0] ? 0 : most - amplitude.begin();
+}
+
+} // namespace starling
