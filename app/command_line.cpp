@@ -12,16 +12,29 @@ namespace {
 
 constexpr int most_threads = 1024;
 
-void add_case(CLI::App& command, CommandLine& line)
+void add_overrides(CLI::App& command, CommandLine& line)
 {
-    command.add_option("case", line.case_file, "Case file (docs/case_file.md)")
-        ->option_text("CASE.toml")
-        ->required();
     command
         .add_option("--set", line.overrides,
                     "Use VALUE instead of what the case file says; may be repeated")
         ->option_text("SECTION.KEY=VALUE")
         ->allow_extra_args(false);
+}
+
+void add_case(CLI::App& command, CommandLine& line)
+{
+    command.add_option("case", line.case_file, "Case file (docs/case_file.md)")
+        ->option_text("CASE.toml")
+        ->required();
+    add_overrides(command, line);
+}
+
+void add_threads(CLI::App& command, CommandLine& line)
+{
+    command.add_option("--threads", line.threads, "Number of threads [all]")
+        ->option_text("N")
+        ->check(CLI::Range(1, most_threads));
+    command.add_flag("--quiet", line.quiet, "Print errors only");
 }
 
 void add_run(CLI::App& app, CommandLine& line)
@@ -31,12 +44,25 @@ void add_run(CLI::App& app, CommandLine& line)
     run->add_option("--out", line.directory, "Directory for the results (docs/results.md)")
         ->option_text("DIR")
         ->required();
-    run->add_option("--threads", line.threads, "Number of threads [all]")
-        ->option_text("N")
-        ->check(CLI::Range(1, most_threads));
+    add_threads(*run, line);
     run->add_flag("--force", line.force, "Replace the results of an earlier run in DIR");
-    run->add_flag("--quiet", line.quiet, "Print errors only");
     run->footer("Ctrl-C finishes the step, writes everything and ends with exit code 0.");
+}
+
+void add_resume(CLI::App& app, CommandLine& line)
+{
+    CLI::App* resume = app.add_subcommand(
+        "resume", "Go on with a run from its latest checkpoint as if it had never stopped");
+    resume->add_option("directory", line.directory, "Directory that a run has written")
+        ->option_text("DIR")
+        ->required();
+    resume->add_option("--from", line.checkpoint, "Go on from this checkpoint [the latest]")
+        ->option_text("FILE");
+    add_overrides(*resume, line);
+    resume->add_flag("--accept-changes", line.accept_changes,
+                     "Go on even where --set or case.toml changes the physics");
+    add_threads(*resume, line);
+    resume->footer("Stop criteria and output may be changed: --set stop.end_time=20.");
 }
 
 void add_others(CLI::App& app, CommandLine& line)
@@ -108,6 +134,7 @@ CommandLine parse(int argc, char** argv)
     app.set_version_flag("--version", "starling " + version());
     app.require_subcommand(1);
     add_run(app, line);
+    add_resume(app, line);
     add_others(app, line);
     try {
         app.parse(argc, argv);

@@ -10,12 +10,14 @@ struct CommandLine {
     std::string command;                ///< name of the subcommand
     std::string case_file;              ///< run, check, theory
     std::vector<std::string> overrides; ///< "section.key=value"
-    std::string directory;              ///< run --out, plot
+    std::string directory;              ///< run --out, resume, plot
     std::string name;                   ///< cases NAME; may be empty
+    std::string checkpoint;             ///< resume --from; may be empty
     int threads = 0;                    ///< 0: as many as OpenMP offers
     bool force = false;
     bool quiet = false;
-    std::string csv; ///< theory --csv: "profile", "buckling", "tube-law"; empty: text
+    std::string csv;             ///< theory --csv: "profile", "buckling", "tube-law"; empty: text
+    bool accept_changes = false; ///< resume
 };
 
 /// Thrown after --help or --version has been answered.

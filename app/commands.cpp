@@ -10,6 +10,7 @@
 #include "environment.hpp"
 #include "report.hpp"
 #include "simulation/estimate.hpp"
+#include "simulation/resume.hpp"
 #include "simulation/run.hpp"
 #include "theory/buckling_report.hpp"
 #include "theory/theory_report.hpp"
@@ -18,21 +19,43 @@ namespace starling::app {
 
 namespace {
 
+/// Runs `compute` with an observer; prints unless the user wants it quiet.
+template <class Compute>
+void observe(const CommandLine& line, const Case& c, Compute compute)
+{
+    catch_stop_signals();
+    if (line.quiet) {
+        QuietObserver observer;
+        compute(observer);
+        return;
+    }
+    ConsoleObserver observer;
+    const Summary summary = compute(observer);
+    observer.finished();
+    fmt::print("{}", summary_text(summary, c, line.directory));
+}
+
 void run_command(const CommandLine& line)
 {
     if (line.threads > 0) omp_set_num_threads(line.threads);
     const Case c = read_case(line.case_file, line.overrides);
-    catch_stop_signals();
     const RunOptions options{line.directory, line.force, line.case_file};
-    if (line.quiet) {
-        QuietObserver observer;
-        run(c, options, observer);
-        return;
-    }
-    ConsoleObserver observer;
-    const Summary summary = run(c, options, observer);
-    observer.finished();
-    fmt::print("{}", summary_text(summary, c, line.directory));
+    observe(line, c, [&](RunObserver& observer) { return run(c, options, observer); });
+}
+
+void resume_command(const CommandLine& line)
+{
+    if (line.threads > 0) omp_set_num_threads(line.threads);
+    const CheckpointFile checkpoint = line.checkpoint.empty() ? latest_checkpoint(line.directory)
+                                                              : CheckpointFile(line.checkpoint);
+    const Case c = resumed_case(line.directory, checkpoint, line.overrides,
+                                line.accept_changes ? Changes::any : Changes::stop_and_output);
+    if (!line.quiet)
+        fmt::print("Going on from step {}, t = {:.6g} {}\n", checkpoint.step(),
+                   checkpoint.t() * c.scaling.factor(Quantity::time),
+                   c.scaling.unit(Quantity::time));
+    observe(line, c,
+            [&](RunObserver& observer) { return resume(c, checkpoint, line.directory, observer); });
 }
 
 void check_command(const CommandLine& line)
@@ -95,6 +118,8 @@ void execute(const CommandLine& line)
 {
     if (line.command == "run")
         run_command(line);
+    else if (line.command == "resume")
+        resume_command(line);
     else if (line.command == "check")
         check_command(line);
     else if (line.command == "theory")

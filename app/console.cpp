@@ -82,6 +82,21 @@ void ConsoleObserver::stepped(const Progress& progress)
     std::fflush(stdout);
 }
 
+void ConsoleObserver::retrying(const Retry& retry)
+{
+    finished();
+    fmt::print("{}\ntrying again from step {} with {:.3g} of the automatic step\n", retry.reason,
+               retry.step, retry.step_factor);
+    std::fflush(stdout);
+}
+
+void ConsoleObserver::checkpoint_failed(const std::string& reason)
+{
+    finished();
+    fmt::print("warning: no checkpoint: {}; the run goes on\n", reason);
+    std::fflush(stdout);
+}
+
 bool ConsoleObserver::stop_requested()
 {
     if (!stop_signal_seen()) return false;

@@ -19,6 +19,8 @@ public:
     ConsoleObserver();
     void started(const RunStart& start) override;
     void stepped(const Progress& progress) override;
+    void retrying(const Retry& retry) override;
+    void checkpoint_failed(const std::string& reason) override;
     bool stop_requested() override;
     /// Ends the live line; to be called before anything else is printed.
     void finished();

@@ -7,6 +7,7 @@
 
 #include "config/shipped_cases.hpp"
 #include "console.hpp"
+#include "output/summary.hpp"
 
 namespace starling::app {
 
@@ -120,6 +121,7 @@ std::string files_text(const Case& c, const std::filesystem::path& directory)
                 (c.output.wall && c.output.fluid ? ", " : "") +
                 (c.output.fluid ? "fluid.xdmf" : "") + ": open with ParaView\n";
     }
+    if (c.checkpoint.keep > 0) text += "  go on: starling resume " + directory.string() + "\n";
     return text + "  pictures: starling plot " + directory.string() + "\n";
 }
 
@@ -145,7 +147,8 @@ void add_discretisation(Table& table, const RunEstimate& e)
                            table.number(e.spacing.z, Quantity::none)) +
                    " (R_0)");
     table.line("wall", fmt::format("about {} vertices, {} triangles", e.vertices, e.elements));
-    table.line("memory", "about " + memory_text(e.memory_bytes));
+    table.line("memory", "about " + memory_text(e.memory_bytes) + " (" +
+                             memory_text(available_memory_bytes()) + " are free)");
 }
 
 void add_limits(Table& table, const Case& c, const RunEstimate& e)

@@ -37,6 +37,13 @@ struct OutputParameters {
     bool double_precision = false; ///< 64-bit fields instead of 32-bit
 };
 
+/// Checkpoints to go on from (docs/checkpoints.md).
+struct CheckpointParameters {
+    Real every = 600;           ///< seconds of real time between two
+    std::optional<Index> steps; ///< steps between two
+    Index keep = 3;             ///< how many of the last are kept; 0: none is written
+};
+
 /// Everything a run needs. `scaling` converts results to the units the user wrote.
 struct Case {
     std::string title;
@@ -50,6 +57,7 @@ struct Case {
     TimeParameters time;
     StopParameters stop;
     OutputParameters output;
+    CheckpointParameters checkpoint;
     Scaling scaling;
 
     /// Baseline pressure drop 4 L*/Re that drives U_c* = 1 through the undeformed tube (sec. 2.9).

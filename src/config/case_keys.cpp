@@ -226,6 +226,12 @@ std::vector<KeyRule> numerical_keys()
         {"output", "wall", boolean, "whether to write the wall"},
         {"output", "fluid", boolean, "whether to write the fluid"},
         {"output", "precision", choice, "precision of the fields", none, {}, {"single", "double"}},
+
+        {"checkpoint", "every", seconds, "real time between checkpoints", Quantity::time,
+         positive()},
+        {"checkpoint", "steps", integer, "steps between checkpoints", none, closed(1, 1e9)},
+        {"checkpoint", "keep", integer, "how many of the last checkpoints are kept", none,
+         closed(0, 1000)},
     };
 }
 

@@ -93,6 +93,13 @@ void read_output(CaseValues& values, OutputParameters& output)
     output.double_precision = values.text("output.precision", "single") == "double";
 }
 
+void read_checkpoint(CaseValues& values, CheckpointParameters& checkpoint)
+{
+    values.fill("checkpoint.every", checkpoint.every);
+    values.fill("checkpoint.steps", checkpoint.steps);
+    values.fill("checkpoint.keep", checkpoint.keep);
+}
+
 std::string read_text(const std::filesystem::path& file)
 {
     const auto fail = [&](const std::string& what) {
@@ -129,6 +136,7 @@ Case read_case_text(std::string_view text, const std::string& name,
     read_numerics(values, c);
     read_stop(values, c.stop);
     read_output(values, c.output);
+    read_checkpoint(values, c.checkpoint);
     validate(values, c);
     values.throw_problems();
     return c;

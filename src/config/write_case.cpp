@@ -228,6 +228,14 @@ void write_output(CaseWriter& w, const OutputParameters& output)
     w.text("precision", output.double_precision ? "double" : "single");
 }
 
+void write_checkpoint(CaseWriter& w, const CheckpointParameters& checkpoint)
+{
+    w.section("checkpoint");
+    w.number("every", checkpoint.every);
+    if (checkpoint.steps) w.integer("steps", *checkpoint.steps);
+    w.integer("keep", checkpoint.keep);
+}
+
 } // namespace
 
 std::string write_case(const Case& c)
@@ -247,6 +255,7 @@ std::string write_case(const Case& c)
     w.text("scheme", scheme_name(c.coupling.scheme));
     write_time(w, c.time, c.stop);
     write_output(w, c.output);
+    write_checkpoint(w, c.checkpoint);
     return w.result();
 }
 

@@ -4,7 +4,17 @@
 
 namespace starling {
 
+namespace fs = std::filesystem;
+
 namespace {
+
+/// What all frames of the wall share; it stands in the first.
+constexpr const char* shared_array = "/triangles";
+
+std::string frame_name(const std::string& name, Index frame)
+{
+    return fmt::format("frames/{}_{:06}.h5", name, frame);
+}
 
 std::vector<Index> as_index(const std::vector<hsize_t>& shape)
 {
@@ -46,26 +56,38 @@ std::vector<Real> transposed(const NamedArray& a, const std::array<Index, 3>& n)
 
 FrameWriter::FrameWriter(FieldFileOptions options, std::string name)
     : options_(std::move(options)), name_(std::move(name)),
-      series_(options_.directory / (name_ + ".xdmf"), name_)
+      series_(options_.directory / (name_ + ".xdmf"), name_), frames_(options_.keep)
 {
-    hdf5::File file = hdf5::File::create(options_.directory / (name_ + ".h5"));
-    file.attribute("/", "format", "starling " + name_);
-    file.attribute("/", "format_version", Index{1});
-    file.attribute("/", "units", options_.scaling.si ? "si" : "dimensionless");
-    file.attribute("/", "unit_of_t", options_.scaling.unit(Quantity::time));
-    file.make_group("/frames");
-    file.flush();
+    fs::create_directory(options_.directory / "frames");
+    if (frames_ > 0) {
+        series_.keep(frames_);
+        write_index();
+    } else {
+        fs::remove(options_.directory / (name_ + ".xdmf"));
+        fs::remove(options_.directory / (name_ + ".h5"));
+    }
+    remove_later_frames();
 }
 
-std::string FrameWriter::location(const std::string& path) const { return name_ + ".h5:" + path; }
+/// Frames from number `frames_` on and those that a kill left unfinished.
+void FrameWriter::remove_later_frames() const
+{
+    const std::string first = fs::path(frame_name(name_, frames_)).filename();
+    std::vector<fs::path> later;
+    for (const auto& entry : fs::directory_iterator(options_.directory / "frames")) {
+        const std::string name = entry.path().filename();
+        const bool ours = name.starts_with(name_ + "_") && name.size() >= first.size();
+        if (ours && (name >= first || name.ends_with(".new"))) later.push_back(entry.path());
+    }
+    for (const fs::path& path : later) fs::remove(path);
+}
 
 FrameWriter::Frame FrameWriter::begin(Real t, Index step)
 {
-    Frame frame{hdf5::File::append(options_.directory / (name_ + ".h5")),
-                fmt::format("/frames/{:06}", frames_), ""};
-    frame.file.make_group(frame.group);
-    frame.file.attribute(frame.group, "t", t * options_.scaling.factor(Quantity::time));
-    frame.file.attribute(frame.group, "step", step);
+    const std::string name = frame_name(name_, frames_);
+    Frame frame{hdf5::File::create(options_.directory / (name + ".new")), name, ""};
+    frame.file.attribute("/", "t", t * options_.scaling.factor(Quantity::time));
+    frame.file.attribute("/", "step", step);
     return frame;
 }
 
@@ -75,18 +97,42 @@ xdmf::Array FrameWriter::write(Frame& frame, const std::string& name,
 {
     const Real factor = options_.scaling.factor(quantity);
     for (Real& v : values) v *= factor;
-    const std::string path = frame.group + "/" + name;
+    const std::string path = "/" + name;
     frame.file.write(path, shape, values, options_.precision);
     frame.file.attribute(path, "unit", options_.scaling.unit(quantity));
     const int bytes = options_.precision == hdf5::Precision::single ? 4 : 8;
-    return {location(path), as_index(shape), false, bytes};
+    return {frame.name + ":" + path, as_index(shape), false, bytes};
 }
 
-void FrameWriter::end(Frame& frame, Real t)
+void FrameWriter::end(Frame frame, Real t)
 {
-    frame.file.flush();
-    series_.add(t * options_.scaling.factor(Quantity::time), frame.xdmf);
+    const fs::path path = options_.directory / frame.name;
+    {
+        const hdf5::File closing = std::move(frame.file);
+        closing.flush();
+    }
+    fs::rename(path.string() + ".new", path);
     ++frames_;
+    write_index();
+    series_.add(t * options_.scaling.factor(Quantity::time), frame.xdmf);
+}
+
+void FrameWriter::write_index() const
+{
+    const fs::path path = options_.directory / (name_ + ".h5"), temporary = path.string() + ".new";
+    {
+        hdf5::File file = hdf5::File::create(temporary);
+        file.attribute("/", "format", "starling " + name_);
+        file.attribute("/", "format_version", Index{2});
+        file.attribute("/", "units", options_.scaling.si ? "si" : "dimensionless");
+        file.attribute("/", "unit_of_t", options_.scaling.unit(Quantity::time));
+        file.make_group("/frames");
+        for (Index n = 0; n < frames_; ++n)
+            file.link(fmt::format("/frames/{:06}", n), frame_name(name_, n));
+        if (name_ == "wall") file.link(shared_array, frame_name(name_, 0), shared_array);
+        file.flush();
+    }
+    fs::rename(temporary, path);
 }
 
 void WallFile::write(const WallSnapshot& s)
@@ -95,9 +141,10 @@ void WallFile::write(const WallSnapshot& s)
     const hsize_t vertices = s.points.size(), elements = s.triangles.size();
     if (writer_.frames() == 0) {
         const auto* first = elements > 0 ? s.triangles.front().data() : nullptr;
-        frame.file.write("/triangles", {elements, 3}, std::span(first, 3 * elements));
+        frame.file.write(shared_array, {elements, 3}, std::span(first, 3 * elements));
     }
-    const xdmf::Array triangles{writer_.location("/triangles"), as_index({elements, 3}), true, 4};
+    const xdmf::Array triangles{frame_name("wall", 0) + ":" + shared_array, as_index({elements, 3}),
+                                true, 4};
     const auto points =
         writer_.write(frame, "points", {vertices, 3}, coordinates(s.points), Quantity::length);
     frame.xdmf = fmt::format("<Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}"
@@ -110,7 +157,7 @@ void WallFile::write(const WallSnapshot& s)
     };
     for (const NamedArray& a : s.at_vertex) add(a, vertices, xdmf::Centre::node);
     for (const NamedArray& a : s.at_element) add(a, elements, xdmf::Centre::cell);
-    writer_.end(frame, s.t);
+    writer_.end(std::move(frame), s.t);
 }
 
 void FluidFile::write(const FluidSnapshot& s)
@@ -119,8 +166,8 @@ void FluidFile::write(const FluidSnapshot& s)
     const auto [nx, ny, nz] = s.cells;
     const Real l = writer_.scaling().factor(Quantity::length);
     const Vec3 origin = l * s.origin, spacing = l * s.spacing;
-    frame.file.attribute(frame.group, "origin", origin);
-    frame.file.attribute(frame.group, "spacing", spacing);
+    frame.file.attribute("/", "origin", origin);
+    frame.file.attribute("/", "spacing", spacing);
     frame.xdmf = fmt::format("<Topology TopologyType=\"3DCoRectMesh\" Dimensions=\"{} {} {}\"/>\n"
                              "<Geometry GeometryType=\"ORIGIN_DXDYDZ\">{}{}</Geometry>\n",
                              nz + 1, ny + 1, nx + 1, xdmf::data_item_zyx(origin),
@@ -132,7 +179,7 @@ void FluidFile::write(const FluidSnapshot& s)
         const auto array = writer_.write(frame, a.name, shape, transposed(a, s.cells), a.quantity);
         frame.xdmf += xdmf::attribute(a.name, xdmf::Centre::cell, a.components, array);
     }
-    writer_.end(frame, s.t);
+    writer_.end(std::move(frame), s.t);
 }
 
 } // namespace starling

@@ -1,9 +1,10 @@
 #pragma once
 /// Wall and fluid over time for ParaView: NAME.h5 with the numbers, NAME.xdmf with their meaning.
 ///
-/// Each frame is the group /frames/NNNNNN with the attributes `t` and `step`. The file is opened,
-/// extended, flushed and closed once per frame, and the XDMF file replaced after that: what was
-/// written before a kill stays readable, and a viewer may look while the run goes on.
+/// Each frame is a file of its own, frames/NAME_NNNNNN.h5 with the attributes `t` and `step`;
+/// NAME.h5 shows it as the group /frames/NNNNNN (an external link). Every file is written beside
+/// its place and renamed, NAME.xdmf last: no frame is ever touched again, so a kill harms none, and
+/// a viewer may look while the run goes on.
 #include <filesystem>
 #include <string>
 
@@ -18,17 +19,19 @@ struct FieldFileOptions {
     std::filesystem::path directory;
     Scaling scaling; ///< numbers are written in the case's units, named in attributes
     hdf5::Precision precision = hdf5::Precision::single;
+    Index keep = 0; ///< frames of an earlier run to go on from; later ones are removed
 };
 
 /// What both field files share: the pair of files, frame groups, arrays in the case's units.
 class FrameWriter {
 public:
+    /// Throws InputError where fewer frames are there than are to be kept.
     FrameWriter(FieldFileOptions options, std::string name);
 
     /// Writes the arrays of a new frame to an open file and describes them in XDMF.
     struct Frame {
         hdf5::File file;
-        std::string group;
+        std::string name; ///< "frames/wall_000000.h5"
         std::string xdmf;
     };
     Frame begin(Real t, Index step);
@@ -36,13 +39,15 @@ public:
     xdmf::Array write(Frame& frame, const std::string& name, const std::vector<hsize_t>& shape,
                       std::vector<Real> values, Quantity quantity);
     /// Completes the frame on disk.
-    void end(Frame& frame, Real t);
+    void end(Frame frame, Real t);
 
     const Scaling& scaling() const { return options_.scaling; }
-    std::string location(const std::string& path) const;
     Index frames() const { return frames_; }
 
 private:
+    void write_index() const;
+    void remove_later_frames() const;
+
     FieldFileOptions options_;
     std::string name_;
     xdmf::Series series_;
@@ -55,6 +60,7 @@ public:
     explicit WallFile(FieldFileOptions options) : writer_(std::move(options), "wall") {}
     /// Appends a frame; throws std::runtime_error where it cannot be written.
     void write(const WallSnapshot& snapshot);
+    Index frames() const { return writer_.frames(); }
 
 private:
     FrameWriter writer_;
@@ -67,6 +73,7 @@ public:
     explicit FluidFile(FieldFileOptions options) : writer_(std::move(options), "fluid") {}
     /// Appends a frame; throws std::runtime_error where it cannot be written.
     void write(const FluidSnapshot& snapshot);
+    Index frames() const { return writer_.frames(); }
 
 private:
     FrameWriter writer_;

@@ -72,6 +72,13 @@ Handle compression(const std::vector<hsize_t>& shape)
     return list;
 }
 
+Handle in_one_piece()
+{
+    Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up HDF5");
+    check(H5Pset_obj_track_times(list.get(), false), "set up HDF5");
+    return list;
+}
+
 } // namespace
 
 Handle::Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close)
@@ -86,16 +93,19 @@ Handle::~Handle()
     if (id_ >= 0) close_(id_);
 }
 
-File::File(Handle file, std::filesystem::path path) : file_(std::move(file)), path_(std::move(path))
+File::File(Handle file, std::filesystem::path path, Layout layout)
+    : file_(std::move(file)), path_(std::move(path)), layout_(layout)
 {
 }
 
-File File::create(const std::filesystem::path& path)
+File File::create(const std::filesystem::path& path, Layout layout, hsize_t user_block)
 {
     const Handle list = access();
-    return {Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, list.get()), H5Fclose,
+    const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "set up HDF5");
+    check(H5Pset_userblock(creation.get(), user_block), "set up HDF5");
+    return {Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), list.get()), H5Fclose,
                    "create " + path.string()),
-            path};
+            path, layout};
 }
 
 File File::append(const std::filesystem::path& path)
@@ -103,7 +113,15 @@ File File::append(const std::filesystem::path& path)
     const Handle list = access();
     return {
         Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, list.get()), H5Fclose, "open " + path.string()),
-        path};
+        path, Layout::compressed};
+}
+
+File File::open(const std::filesystem::path& path)
+{
+    const Handle list = access();
+    return {Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, list.get()), H5Fclose,
+                   "open " + path.string()),
+            path, Layout::compressed};
 }
 
 void File::make_group(const std::string& path)
@@ -118,7 +136,7 @@ void File::write_raw(const std::string& path, const std::vector<hsize_t>& shape,
     const std::string what = "write " + path_.string() + ":" + path;
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
                        H5Sclose, what);
-    const Handle list = compression(shape);
+    const Handle list = layout_ == Layout::compressed ? compression(shape) : in_one_piece();
     const Handle set(H5Dcreate2(file_.get(), path.c_str(), file_type, space.get(), H5P_DEFAULT,
                                 list.get(), H5P_DEFAULT),
                      H5Dclose, what);
@@ -136,6 +154,92 @@ void File::write(const std::string& path, const std::vector<hsize_t>& shape,
                  std::span<const std::int32_t> values)
 {
     write_raw(path, shape, values.data(), H5T_NATIVE_INT32, H5T_STD_I32LE);
+}
+
+void File::write(const std::string& path, std::span<const std::uint8_t> values)
+{
+    write_raw(path, {values.size()}, values.data(), H5T_NATIVE_UINT8, H5T_STD_U8LE);
+}
+
+void File::link(const std::string& path, const std::string& other_file, const std::string& target)
+{
+    check(H5Lcreate_external(other_file.c_str(), target.c_str(), file_.get(), path.c_str(),
+                             H5P_DEFAULT, H5P_DEFAULT),
+          "write " + path_.string() + ":" + path);
+}
+
+std::vector<hsize_t> File::shape(const std::string& path) const
+{
+    const std::string what = "read " + path_.string() + ":" + path;
+    const Handle set(H5Dopen2(file_.get(), path.c_str(), H5P_DEFAULT), H5Dclose, what);
+    const Handle space(H5Dget_space(set.get()), H5Sclose, what);
+    std::vector<hsize_t> shape(
+        static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.get()), 0)));
+    check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), what);
+    return shape;
+}
+
+void File::read_raw(const std::string& path, hid_t memory_type, void* values,
+                    std::size_t size) const
+{
+    const std::string what = "read " + path_.string() + ":" + path;
+    const auto found = shape(path);
+    if (std::accumulate(found.begin(), found.end(), hsize_t{1}, std::multiplies<>()) != size)
+        throw std::runtime_error("cannot " + what + ": it has another size than expected");
+    const Handle set(H5Dopen2(file_.get(), path.c_str(), H5P_DEFAULT), H5Dclose, what);
+    check(H5Dread(set.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+}
+
+void File::read(const std::string& path, std::span<Real> values) const
+{
+    read_raw(path, H5T_NATIVE_DOUBLE, values.data(), values.size());
+}
+
+void File::read(const std::string& path, std::span<std::int32_t> values) const
+{
+    read_raw(path, H5T_NATIVE_INT32, values.data(), values.size());
+}
+
+void File::read(const std::string& path, std::span<std::uint8_t> values) const
+{
+    read_raw(path, H5T_NATIVE_UINT8, values.data(), values.size());
+}
+
+Handle File::open_attribute(const std::string& path, const std::string& name) const
+{
+    return {H5Aopen_by_name(file_.get(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            H5Aclose, "read " + path_.string() + ":" + path + "@" + name};
+}
+
+template <class T>
+T File::scalar(const std::string& path, const std::string& name, hid_t type) const
+{
+    T value{};
+    check(H5Aread(open_attribute(path, name).get(), type, &value),
+          "read " + path_.string() + ":" + path + "@" + name);
+    return value;
+}
+
+Real File::real_attribute(const std::string& path, const std::string& name) const
+{
+    return scalar<Real>(path, name, H5T_NATIVE_DOUBLE);
+}
+
+Index File::index_attribute(const std::string& path, const std::string& name) const
+{
+    return scalar<Index>(path, name, H5T_NATIVE_INT64);
+}
+
+std::string File::text_attribute(const std::string& path, const std::string& name) const
+{
+    const std::string what = "read " + path_.string() + ":" + path + "@" + name;
+    const Handle attribute = open_attribute(path, name);
+    const Handle type(H5Aget_type(attribute.get()), H5Tclose, what);
+    if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0)
+        throw std::runtime_error("cannot " + what + ": it is no text of fixed length");
+    std::string text(H5Tget_size(type.get()), '\0');
+    check(H5Aread(attribute.get(), type.get(), text.data()), what);
+    return text.substr(0, text.find('\0'));
 }
 
 void File::write_attribute(const std::string& path, const std::string& name, hid_t type,
@@ -175,6 +279,9 @@ void File::attribute(const std::string& path, const std::string& name, const Vec
     write_attribute(path, name, type.get(), xyz);
 }
 
-void File::flush() { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "write " + path_.string()); }
+void File::flush() const
+{
+    check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "write " + path_.string());
+}
 
 } // namespace starling::hdf5

@@ -1,5 +1,5 @@
 #pragma once
-/// The little of HDF5 that result files need: groups, compressed arrays, attributes.
+/// The little of HDF5 that result files need: groups, arrays, attributes, links.
 #include <filesystem>
 #include <span>
 #include <string>
@@ -31,12 +31,19 @@ private:
 /// Precision of floating-point arrays in the file.
 enum class Precision { single, full };
 
+/// How arrays lie in the file: in compressed chunks, or in one piece at full speed.
+enum class Layout { compressed, contiguous };
+
 /// A file open for writing until it goes out of scope. Every call throws std::runtime_error when
 /// HDF5 refuses.
 class File {
 public:
-    /// Creates the file or replaces one of the same name.
-    static File create(const std::filesystem::path& path);
+    /// Creates the file or replaces one of the same name. HDF5 leaves the first `user_block`
+    /// bytes alone (0, or a power of two from 512).
+    static File create(const std::filesystem::path& path, Layout layout = Layout::compressed,
+                       hsize_t user_block = 0);
+    /// Opens a file for reading; every write then fails.
+    static File open(const std::filesystem::path& path);
     /// Opens a file written before in order to add to it.
     static File append(const std::filesystem::path& path);
 
@@ -46,16 +53,35 @@ public:
                std::span<const Real> values, Precision precision);
     void write(const std::string& path, const std::vector<hsize_t>& shape,
                std::span<const std::int32_t> values);
+    void write(const std::string& path, std::span<const std::uint8_t> values);
+    /// Makes `path` lead to `target` in another file, named relative to this one.
+    void link(const std::string& path, const std::string& other_file,
+              const std::string& target = "/");
+
+    /// The shape of the array at `path`.
+    std::vector<hsize_t> shape(const std::string& path) const;
+    /// Reads the whole array into `values`, whose size must be that of the array.
+    void read(const std::string& path, std::span<Real> values) const;
+    void read(const std::string& path, std::span<std::int32_t> values) const;
+    void read(const std::string& path, std::span<std::uint8_t> values) const;
+
     /// Attributes of the group or array at `path`.
     void attribute(const std::string& path, const std::string& name, const std::string& value);
     void attribute(const std::string& path, const std::string& name, Real value);
     void attribute(const std::string& path, const std::string& name, Index value);
     void attribute(const std::string& path, const std::string& name, const Vec3& value);
+    Real real_attribute(const std::string& path, const std::string& name) const;
+    Index index_attribute(const std::string& path, const std::string& name) const;
+    std::string text_attribute(const std::string& path, const std::string& name) const;
     /// Hands everything to the operating system; a file killed after this is whole.
-    void flush();
+    void flush() const;
 
 private:
-    File(Handle file, std::filesystem::path path);
+    File(Handle file, std::filesystem::path path, Layout layout);
+    void read_raw(const std::string& path, hid_t memory_type, void* values, std::size_t size) const;
+    Handle open_attribute(const std::string& path, const std::string& name) const;
+    template <class T>
+    T scalar(const std::string& path, const std::string& name, hid_t type) const;
     void write_raw(const std::string& path, const std::vector<hsize_t>& shape, const void* values,
                    hid_t memory_type, hid_t file_type);
     void write_attribute(const std::string& path, const std::string& name, hid_t type,
@@ -63,6 +89,7 @@ private:
 
     Handle file_;
     std::filesystem::path path_;
+    Layout layout_;
 };
 
 } // namespace starling::hdf5

@@ -1,7 +1,7 @@
 starling_module(output
-  SOURCES table.cpp series.cpp profile.cpp sections.cpp hdf5_file.cpp xdmf.cpp replace_file.cpp field_file.cpp
-          run_directory.cpp summary.cpp version.cpp
-  DEPENDS starling_core starling_config fmt::fmt nlohmann_json::nlohmann_json
+  SOURCES table.cpp series.cpp profile.cpp sections.cpp hdf5_file.cpp xdmf.cpp replace_file.cpp
+          field_file.cpp           run_directory.cpp summary.cpp version.cpp crc64.cpp checkpoint.cpp
+  DEPENDS starling_core starling_config starling_solver fmt::fmt nlohmann_json::nlohmann_json
           starling_hdf5)
 
 # Only what the C interface needs; the imported target drags in flags for other languages.

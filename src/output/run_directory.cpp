@@ -1,5 +1,6 @@
 #include "output/run_directory.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -7,6 +8,7 @@
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -21,6 +23,13 @@ constexpr const char* result_files[] = {
     "case.toml",  "summary.json", "series.csv",  "profile.csv", "sections.csv",
     "theory.csv", "wall.h5",      "wall.xdmf",   "fluid.h5",    "fluid.xdmf",
     "tube.png",   "profiles.png", "history.png", "flow.png"};
+/// Folders of a run and what the names of its files in them begin with.
+struct ResultFolder {
+    const char* name;
+    std::array<const char*, 2> prefixes;
+};
+constexpr ResultFolder result_folders[] = {{"frames", {"wall_", "fluid_"}},
+                                           {"checkpoints", {"step_", "latest"}}};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
@@ -32,11 +41,24 @@ std::string leftover(const char* name) { return std::string(name) + ".new"; }
 
 bool is_there(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
-const char* first_result(const fs::path& path)
+/// The run's own files in one of its folders.
+std::vector<fs::path> files_in(const fs::path& path, const ResultFolder& folder)
+{
+    std::vector<fs::path> ours;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(path / folder.name, none))
+        for (const char* prefix : folder.prefixes)
+            if (entry.path().filename().string().starts_with(prefix)) ours.push_back(entry.path());
+    return ours;
+}
+
+std::string first_result(const fs::path& path)
 {
     for (const char* name : result_files)
         if (is_there(path / name)) return name;
-    return nullptr;
+    for (const ResultFolder& folder : result_folders)
+        if (!files_in(path, folder).empty()) return folder.name;
+    return "";
 }
 
 bool written_by_a_run(const fs::path& case_file)
@@ -112,26 +134,48 @@ void RunDirectory::check(const RunDirectoryOptions& options)
     if (!fs::is_directory(status)) refuse(path, "is a file, not a directory");
     if (access(path.c_str(), W_OK | X_OK) != 0)
         refuse(path, std::string("cannot be written to: ") + std::strerror(errno));
-    if (const char* name = options.force ? nullptr : first_result(path))
-        refuse(path, std::string("holds results of an earlier run (") + name +
-                         "); choose another directory, or --force to replace them");
+    if (options.go_on) return;
+    const std::string found = first_result(path);
+    if (!options.force && !found.empty())
+        refuse(path, "holds results of an earlier run (" + found +
+                         "); choose another directory, --force to replace them, or go on with it: "
+                         "starling resume " +
+                         path.string());
     for (const char* name : result_files) {
         check_removal(path, name, options.case_file);
         check_removal(path, leftover(name), options.case_file);
     }
+    for (const ResultFolder& folder : result_folders)
+        for (const fs::path& file : files_in(path, folder))
+            check_removal(path, fs::path(folder.name) / file.filename(), options.case_file);
 }
+
+namespace {
+
+void remove_results(const fs::path& path)
+{
+    for (const char* name : result_files) {
+        fs::remove(path / name);
+        fs::remove(path / leftover(name));
+    }
+    for (const ResultFolder& folder : result_folders) {
+        const auto ours = files_in(path, folder);
+        for (const fs::path& file : ours) fs::remove(file);
+        std::error_code none;
+        if (!ours.empty() && fs::is_empty(path / folder.name, none)) fs::remove(path / folder.name);
+    }
+}
+
+} // namespace
 
 RunDirectory::RunDirectory(const RunDirectoryOptions& options) : path_(options.path)
 {
     check(options);
-    make(path_);
+    if (!options.go_on) make(path_);
     lock_ = lock(path_);
     try {
         check(options); // another run may have begun and ended meanwhile
-        for (const char* name : result_files) {
-            fs::remove(path_ / name);
-            fs::remove(path_ / leftover(name));
-        }
+        if (!options.go_on) remove_results(path_);
     } catch (...) {
         unlock(path_, lock_);
         throw;

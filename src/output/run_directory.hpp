@@ -13,6 +13,7 @@ struct RunDirectoryOptions {
     std::filesystem::path path;
     bool force = false;              ///< remove the results of an earlier run
     std::filesystem::path case_file; ///< the user's case file, never to be removed; may be empty
+    bool go_on = false;              ///< keep everything: the earlier run is resumed
 };
 
 /// Holds the directory of a run for as long as it lives.

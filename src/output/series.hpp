@@ -15,6 +15,11 @@ public:
         : TableWriter(path, sample_columns(), scaling)
     {
     }
+    /// Goes on behind the row of step `last_row`; throws InputError where there is none.
+    SeriesWriter(const std::filesystem::path& path, const Scaling& scaling, Index last_row)
+        : TableWriter(path, sample_columns(), scaling, "step", last_row)
+    {
+    }
 };
 
 } // namespace starling

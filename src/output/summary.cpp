@@ -1,5 +1,6 @@
 #include "output/summary.hpp"
 
+#include <fstream>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -125,6 +126,39 @@ Index peak_memory_bytes()
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return Index{usage.ru_maxrss} * 1024;
+}
+
+namespace {
+
+/// The number behind `key` in a file of lines "key number"; huge where there is none.
+Index number_in(const char* path, const std::string& key)
+{
+    std::ifstream stream(path);
+    for (std::string word; stream >> word;)
+        if (Index value = 0; word == key && stream >> value) return value;
+    return std::numeric_limits<Index>::max() / 4096;
+}
+
+/// The single number in a file; huge where it holds none ("max").
+Index only_number_in(const char* path)
+{
+    std::ifstream stream(path);
+    Index value = 0;
+    return stream >> value ? value : std::numeric_limits<Index>::max();
+}
+
+} // namespace
+
+Index available_memory_bytes()
+{
+    const char* meminfo = "/proc/meminfo";
+    const Index machine =
+        1024 * (number_in(meminfo, "MemAvailable:") + number_in(meminfo, "SwapFree:") / 2);
+    const Index limit = only_number_in("/sys/fs/cgroup/memory.max");
+    if (limit == std::numeric_limits<Index>::max()) return machine;
+    const Index used = only_number_in("/sys/fs/cgroup/memory.current") -
+                       number_in("/sys/fs/cgroup/memory.stat", "inactive_file");
+    return std::min(machine, std::max(limit - used, Index{0}));
 }
 
 } // namespace starling

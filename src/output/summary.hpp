@@ -54,4 +54,8 @@ void write_summary(const std::filesystem::path& path, const Summary& summary,
 /// Largest resident memory of this process so far.
 Index peak_memory_bytes();
 
+/// Memory that this process may still take: what the kernel reckons available, with swap, or what
+/// its control group leaves if that is less.
+Index available_memory_bytes();
+
 } // namespace starling

@@ -1,8 +1,12 @@
 #include "output/xdmf.hpp"
 
+#include <fstream>
+#include <iterator>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/error.hpp"
 #include "output/replace_file.hpp"
 
 namespace starling::xdmf {
@@ -34,11 +38,37 @@ Series::Series(std::filesystem::path path, std::string name)
 {
 }
 
+void Series::keep(Index frames)
+{
+    std::ifstream stream(path_, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const std::string head = fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">", name_);
+    const std::string tail = "</Grid>\n";
+    const std::size_t begin = std::min(text.find(head), text.size());
+    std::size_t end = begin;
+    for (Index n = 0; n < frames; ++n) {
+        const std::size_t next =
+            text.compare(end, head.size(), head) == 0 ? text.find(tail, end) : std::string::npos;
+        if (next == std::string::npos)
+            throw InputError(fmt::format("{}: holds fewer than the {} frames that belong to the "
+                                         "checkpoint",
+                                         path_.string(), frames));
+        end = next + tail.size();
+    }
+    frames_ = text.substr(begin, end - begin);
+    replace();
+}
+
 void Series::add(Real t, const std::string& body)
 {
     frames_ += fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n{}"
                            "</Grid>\n",
                            name_, t, body);
+    replace();
+}
+
+void Series::replace() const
+{
     replace_file(path_, fmt::format("<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
                                     "<Grid Name=\"{}\" GridType=\"Collection\" "
                                     "CollectionType=\"Temporal\">\n{}</Grid>\n</Domain>\n</Xdmf>\n",

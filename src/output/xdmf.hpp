@@ -31,10 +31,14 @@ std::string attribute(const std::string& name, Centre centre, int components, co
 class Series {
 public:
     Series(std::filesystem::path path, std::string name);
+    /// Goes on from the first `frames` grids of the file; throws InputError where it has fewer.
+    void keep(Index frames);
     /// Adds a grid whose topology, geometry and attributes are `body`; times must increase.
     void add(Real t, const std::string& body);
 
 private:
+    void replace() const;
+
     std::filesystem::path path_;
     std::string name_;
     std::string frames_;

@@ -17,8 +17,9 @@ namespace starling {
 
 namespace {
 
-constexpr Real bytes_per_cell = 230;
-constexpr Real bytes_per_vertex = 1500;
+constexpr Real bytes_of_program = 22e6;
+constexpr Real bytes_per_cell = 245;
+constexpr Real bytes_per_vertex = 1400;
 constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
 
 /// Speed on the axis where it is largest: Poiseuille flow in the rigid ends.
@@ -77,6 +78,19 @@ Real expected_duration(const Case& c, Real dt)
 
 } // namespace
 
+void check_memory(const Case& c, Index available)
+{
+    const Index needed = estimate_run(c).memory_bytes;
+    if (needed <= available) return;
+    const auto in_gigabytes = [](Index bytes) {
+        std::ostringstream text;
+        text << std::setprecision(3) << static_cast<Real>(bytes) / 1e9 << " GB";
+        return text.str();
+    };
+    throw InputError("the case needs about " + in_gigabytes(needed) + " of memory and " +
+                     in_gigabytes(available) + " are free: take a larger grid.spacing");
+}
+
 Real expected_time_to_steady(const Case& c, Real tolerance)
 {
     return relaxation_time(c) * std::max(Real{1}, std::log(change_over_window / tolerance));
@@ -90,8 +104,9 @@ RunEstimate estimate_run(const Case& c)
     e.spacing = grid.spacing();
     e.cells = grid.cell_count();
     count_wall(e, c, grid.delta());
-    e.memory_bytes = static_cast<Index>(bytes_per_cell * static_cast<Real>(e.cells) +
-                                        bytes_per_vertex * static_cast<Real>(e.vertices));
+    e.memory_bytes =
+        static_cast<Index>(bytes_of_program + bytes_per_cell * static_cast<Real>(e.cells) +
+                           bytes_per_vertex * static_cast<Real>(e.vertices));
     e.wave_speed = c.tube.rigid ? std::numeric_limits<Real>::quiet_NaN()
                                 : wave_speed(c.material, c.fluid.reynolds);
     choose_step(e, c, grid.delta());

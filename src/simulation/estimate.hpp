@@ -34,4 +34,7 @@ Real expected_time_to_steady(const Case& c, Real tolerance);
 
 RunEstimate estimate_run(const Case& c);
 
+/// Throws InputError where the case needs more memory than the given number of bytes.
+void check_memory(const Case& c, Index available);
+
 } // namespace starling

@@ -7,16 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "config/write_case.hpp"
 #include "core/error.hpp"
 #include "core/for_each.hpp"
-#include "output/field_file.hpp"
-#include "output/profile.hpp"
-#include "output/replace_file.hpp"
-#include "output/run_directory.hpp"
-#include "output/sections.hpp"
-#include "output/series.hpp"
 #include "output/version.hpp"
+#include "simulation/estimate.hpp"
+#include "simulation/run_files.hpp"
 #include "simulation/stop.hpp"
 #include "theory/theory_report.hpp"
 
@@ -26,7 +21,7 @@ namespace {
 
 constexpr Real least_resolved_gap = 2;      ///< in grid spacings
 constexpr Real largest_theory_reynolds = 1; ///< the one-dimensional model has no inertia
-constexpr Real closest_targets = 0.25;      ///< in steps: times nearer to each other are one
+constexpr int most_retries = 3;             ///< after breakdowns, each with half the step
 constexpr Real leak_to_warn_of = 0.02;      ///< share of the flow
 
 std::optional<TheoryReport> theory_of(const Case& c)
@@ -46,142 +41,102 @@ std::string percent_text(Real share)
     return text.str();
 }
 
-/// The times at which frames are due: 0 and the multiples of `every`.
-class Schedule {
-public:
-    explicit Schedule(std::optional<Real> every) : every_(every) {}
-    /// Time of the next frame; infinite where only the first and last states are wanted.
-    Real next() const { return every_ ? next_ : std::numeric_limits<Real>::infinity(); }
-    /// Whether a frame is due at t; one due within a quarter of a step counts.
-    bool due(Real t, Real dt)
-    {
-        if (!every_) return false;
-        const Real slack = closest_targets * std::min(dt, *every_);
-        if (t < next_ - slack) return false;
-        next_ = *every_ * (std::floor((t + slack) / *every_) + 1);
-        return true;
-    }
-
-private:
-    std::optional<Real> every_;
-    Real next_ = 0;
-};
-
-/// The files of one run, each opened when it is first needed.
-class RunFiles {
-public:
-    RunFiles(const Case& c, const RunOptions& options)
-        : case_(c), directory_({options.directory, options.force, options.case_file}),
-          series_(directory_.file("series.csv"), c.scaling), wall_due_(c.output.wall_every),
-          fluid_due_(c.output.fluid_every)
-    {
-        replace_file(directory_.file("case.toml"),
-                     written_case_mark + (": every default filled in\n" + write_case(c)));
-    }
-
-    void theory(const TheoryReport& report)
-    {
-        replace_file(directory_.file("theory.csv"), to_csv(report, case_.scaling));
-    }
-    void sample(const Sample& s) { series_.write(s); }
-    /// Wall and fluid frames that are due now.
-    void fields(const Simulation& simulation)
-    {
-        if (wall_due_.due(simulation.time(), simulation.dt())) wall(simulation);
-        if (fluid_due_.due(simulation.time(), simulation.dt())) fluid(simulation);
-    }
-    /// Time of the next frame.
-    Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
-    void first_wall(const Simulation& simulation)
-    {
-        if (simulation.steps() != wall_step_) wall(simulation);
-    }
-    /// What is written once a run has ended.
-    void finish(const Simulation& simulation)
-    {
-        write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
-        write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
-        if (simulation.steps() > wall_step_) wall(simulation);
-        if (simulation.steps() > fluid_step_) fluid(simulation);
-    }
-    void summary(const Summary& s)
-    {
-        write_summary(directory_.file("summary.json"), s, case_.scaling);
-    }
-
-private:
-    FieldFileOptions field_options() const
-    {
-        return {directory_.path(), case_.scaling,
-                case_.output.double_precision ? hdf5::Precision::full : hdf5::Precision::single};
-    }
-    void wall(const Simulation& simulation)
-    {
-        if (!case_.output.wall) return;
-        if (!wall_) wall_.emplace(field_options());
-        wall_->write(simulation.wall_snapshot());
-        wall_step_ = simulation.steps();
-    }
-    void fluid(const Simulation& simulation)
-    {
-        if (!case_.output.fluid) return;
-        if (!fluid_) fluid_.emplace(field_options());
-        fluid_->write(simulation.fluid_snapshot());
-        fluid_step_ = simulation.steps();
-    }
-
-    const Case& case_;
-    RunDirectory directory_;
-    SeriesWriter series_;
-    Schedule wall_due_, fluid_due_;
-    std::optional<WallFile> wall_;
-    std::optional<FluidFile> fluid_;
-    Index wall_step_ = -1, fluid_step_ = -1; ///< steps of the last frames
-};
-
 /// The state of a run in progress.
 class Run {
 public:
-    Run(const Case& c, const RunOptions& options, RunObserver& observer)
-        : case_(c), observer_(observer), simulation_(c), files_(c, options), stop_(c),
+    Run(const Case& c, const RunDirectoryOptions& directory, RunObserver& observer)
+        : case_(c), observer_(observer), simulation_(c), files_(c, directory), stop_(c),
           theory_(theory_of(c))
     {
     }
 
     Summary execute()
     {
+        begin();
+        return go_on();
+    }
+
+    /// Goes on from a checkpoint; throws InputError where it leaves nothing to do.
+    Summary resume(const CheckpointFile& file)
+    {
+        const RunMemory m = file.read_memory();
+        simulation_.restore([&](State& s) { file.read(s); }, m.step_factor);
+        first_step_ = simulation_.steps();
+        for (const Sample& s : m.window) stop_.add(s);
+        stop_.check(moment());
+        if (stop_.reason() && files_.complete())
+            throw InputError("nothing to do: the run has ended (" + *stop_.reason() +
+                             "); change what ends it, as in --set stop.steps=" +
+                             std::to_string(2 * simulation_.steps()));
+        const bool ended = stop_.reason().has_value();
+        remember(m);
+        if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
+        seconds_before_ = m.wall_seconds;
+        if (theory_) files_.theory(*theory_);
+        start();
+        return go_on();
+    }
+
+private:
+    void start()
+    {
+        start_ = last_checkpoint_ = Clock::now();
+        first_step_ = simulation_.steps();
+        observer_.started({case_, simulation_});
+    }
+
+    void begin()
+    {
+        files_.begin();
+        if (theory_) files_.theory(*theory_);
+        start();
+        take_sample();
+        files_.fields(simulation_);
+        files_.first_wall(simulation_);
+        good_memory_ = memory();
+    }
+
+    Summary go_on()
+    {
         try {
-            begin();
-            while (!stop_.reason()) step();
-            if (last_.step != simulation_.steps()) take_sample();
+            while (!stop_.reason()) step_or_retry();
         } catch (const NumericalError& e) {
             end_broken_down(e);
             throw;
         }
+        files_.checkpoint(simulation_, memory()); // before the extra row and frames of the end
+        if (files_.last_row() != simulation_.steps()) take_sample();
         files_.finish(simulation_);
         Summary result = summary(*stop_.reason(), stop_.steady());
         files_.summary(result);
         return result;
     }
 
-private:
-    void begin()
-    {
-        if (theory_) files_.theory(*theory_);
-        start_ = Clock::now();
-        observer_.started({case_, simulation_});
-        take_sample();
-        files_.fields(simulation_);
-        files_.first_wall(simulation_);
-    }
-
     /// Leaves the results of the last sound state.
     void end_broken_down(const NumericalError& e)
     {
         simulation_.back_to_good();
+        files_.checkpoint(simulation_, good_memory_);
         last_ = simulation_.sample();
         files_.finish(simulation_);
         files_.summary(summary(std::string("numerical error: ") + e.what(), false));
+    }
+
+    /// With an automatic step a breakdown is tried again from the last sound state with half of it.
+    void step_or_retry()
+    {
+        try {
+            step();
+        } catch (const NumericalError& e) {
+            if (case_.time.step || retries_ == most_retries) throw;
+            ++retries_;
+            simulation_.back_to_good();
+            RunMemory m = good_memory_;
+            m.step_factor = step_factor_ / 2;
+            remember(m);
+            simulation_.set_step_factor(step_factor_);
+            observer_.retrying({e.what(), simulation_.steps(), simulation_.time(), step_factor_});
+        }
     }
 
     /// The next time that a step must end at.
@@ -197,11 +152,32 @@ private:
         simulation_.step(target());
         if (simulation_.steps() % case_.output.sample_every == 0) take_sample();
         files_.fields(simulation_);
+        if (simulation_.good_step() == simulation_.steps()) good_memory_ = memory();
         stop_.check(moment());
         const TimeStepLimit& limiting = simulation_.limiting();
         observer_.stepped({simulation_.steps(), simulation_.time(), simulation_.dt(), limiting,
                            last_, seconds(), steps_per_second(), stop_.seconds_left(moment())});
         if (observer_.stop_requested()) stop_.interrupt();
+        if (!stop_.reason() && checkpoint_is_due()) write_checkpoint_now();
+    }
+
+    bool checkpoint_is_due() const
+    {
+        const CheckpointParameters& p = case_.checkpoint;
+        if (p.steps && simulation_.steps() % *p.steps == 0) return true;
+        return std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() >= p.every;
+    }
+
+    /// A checkpoint that cannot be written does not end the run: the next one may succeed.
+    void write_checkpoint_now()
+    {
+        last_checkpoint_ = Clock::now();
+        if (!is_finite(simulation_.state())) return; // the next check of the step will tell
+        try {
+            files_.checkpoint(simulation_, memory());
+        } catch (const std::exception& e) {
+            observer_.checkpoint_failed(e.what());
+        }
     }
 
     void take_sample()
@@ -211,12 +187,37 @@ private:
         stop_.add(last_);
     }
 
+    RunMemory memory() const
+    {
+        RunMemory m;
+        m.window = stop_.memory();
+        m.wall_seconds = seconds_before_ + seconds();
+        m.step_factor = step_factor_;
+        files_.note(m);
+        return m;
+    }
+
+    /// Goes on from the moment of `m`, which the simulation has been set to.
+    void remember(const RunMemory& m)
+    {
+        good_memory_ = m;
+        step_factor_ = m.step_factor;
+        files_.go_on_from(m, simulation_.time());
+        stop_ = StopCriteria(case_);
+        for (const Sample& s : m.window) stop_.add(s);
+        last_ = simulation_.sample();
+    }
+
     Moment moment() const
     {
-        return {simulation_.steps(), simulation_.time(), simulation_.dt(), seconds()};
+        return {simulation_.steps(), simulation_.time(), simulation_.dt(), seconds(), first_step_};
     }
+    /// Real time since the run began or was resumed.
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-    double steps_per_second() const { return static_cast<double>(simulation_.steps()) / seconds(); }
+    double steps_per_second() const
+    {
+        return static_cast<double>(simulation_.steps() - first_step_) / seconds();
+    }
 
     Summary summary(const std::string& reason, bool converged) const
     {
@@ -226,7 +227,7 @@ private:
         s.reason = reason;
         s.last = last_;
         s.spacing = simulation_.spacing();
-        s.wall_seconds = seconds();
+        s.wall_seconds = seconds_before_ + seconds();
         s.cell_steps_per_second = steps_per_second() * static_cast<double>(simulation_.cells());
         s.threads = max_threads();
         s.peak_memory_bytes = peak_memory_bytes();
@@ -254,6 +255,9 @@ private:
         if (s.theory && !s.converged)
             found.push_back("the run ended before it was found steady; the one-dimensional model "
                             "is steady");
+        if (step_factor_ < 1)
+            found.push_back("the run broke down and went on with " + percent_text(step_factor_) +
+                            " of the automatic time step");
         return found;
     }
 
@@ -266,7 +270,12 @@ private:
     StopCriteria stop_;
     std::optional<TheoryReport> theory_;
     Sample last_;
-    Clock::time_point start_;
+    RunMemory good_memory_; ///< of the last sound state
+    Real step_factor_ = 1;
+    int retries_ = 0;
+    double seconds_before_ = 0; ///< real time before the run was resumed
+    Index first_step_ = 0;
+    Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
 };
 
 } // namespace
@@ -280,9 +289,19 @@ bool has_theory(const Case& c)
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)
 {
-    RunDirectory::check(
-        {options.directory, options.force, options.case_file}); // before a set-up that takes long
-    return Run(c, options, observer).execute();
+    const RunDirectoryOptions directory{options.directory, options.force, options.case_file};
+    RunDirectory::check(directory); // before a set-up that takes long
+    check_memory(c, available_memory_bytes());
+    return Run(c, directory, observer).execute();
+}
+
+Summary resume(const Case& c, const CheckpointFile& checkpoint,
+               const std::filesystem::path& directory, RunObserver& observer)
+{
+    const RunDirectoryOptions options{directory, false, {}, true};
+    RunDirectory::check(options);
+    check_memory(c, available_memory_bytes());
+    return Run(c, options, observer).resume(checkpoint);
 }
 
 } // namespace starling

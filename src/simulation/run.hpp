@@ -2,6 +2,7 @@
 /// A run from a case to a directory of results: the loop, stop criteria and output schedule.
 #include <filesystem>
 
+#include "output/checkpoint.hpp"
 #include "output/summary.hpp"
 #include "simulation/simulation.hpp"
 
@@ -30,12 +31,23 @@ struct Progress {
     double seconds_left; ///< estimate; NaN while there is none
 };
 
+/// A breakdown after which a run goes on.
+struct Retry {
+    std::string reason; ///< what broke down
+    Index step;         ///< from which the run goes on
+    Real t;
+    Real step_factor; ///< of the automatic step from now on
+};
+
 /// Hears of a run as it goes; the library itself prints nothing.
 class RunObserver {
 public:
     virtual ~RunObserver() = default;
     virtual void started(const RunStart& /*start*/) {}
     virtual void stepped(const Progress& /*progress*/) {}
+    virtual void retrying(const Retry& /*retry*/) {}
+    /// A checkpoint could not be written; the run goes on.
+    virtual void checkpoint_failed(const std::string& /*reason*/) {}
     /// Asked after every step; a run told to stop writes everything and ends as "interrupted".
     virtual bool stop_requested() { return false; }
 };
@@ -45,6 +57,12 @@ public:
 /// or the directory does not do; NumericalError where the computation breaks down, with the series
 /// up to there and the last sound state written; std::runtime_error where a file cannot be written.
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer);
+
+/// Goes on with the run in `directory` from a checkpoint of it, to the bit as if it had never
+/// stopped: rows and frames after the checkpoint are dropped and written anew. `c` is the case to
+/// go on with (resumed_case). Throws as `run` does.
+Summary resume(const Case& c, const CheckpointFile& checkpoint,
+               const std::filesystem::path& directory, RunObserver& observer);
 
 /// Whether the one-dimensional model describes the case: steady inflation at low Re, or a rigid
 /// tube.

@@ -50,6 +50,7 @@ struct Simulation::Impl {
     std::vector<TimeStepLimit> limits;
     State good; ///< the last state found sound
     Real good_cfl = 0;
+    Real step_factor = 1;        ///< on the automatic step
     int threads = max_threads(); ///< scratch memory is made for so many
 
     explicit Impl(const Case& c)
@@ -64,16 +65,33 @@ struct Simulation::Impl {
         good = state;
     }
 
+    void find_limits(Real u_max) { limits = time_step_limits(description, grid.delta(), u_max); }
+
     /// The fixed step, or the automatic one: it follows its limits down at once and up in jumps
     /// of a tenth, so that it seldom changes.
     void choose_step(Real u_max)
     {
-        limits = time_step_limits(description, grid.delta(), u_max);
-        const Real allowed = smallest(limits).dt;
+        find_limits(u_max);
+        const Real allowed = step_factor * smallest(limits).dt;
         if (description.time.step)
             state.dt = *description.time.step;
         else if (state.dt == 0 || allowed < state.dt || allowed > 1.1 * state.dt)
             state.dt = allowed;
+    }
+
+    /// Limits of the present state; the step itself is part of the state.
+    void after_restore()
+    {
+        good = state;
+        const SpeedCheck check = check_speed(grid, state.fluid.u, state.dt);
+        good_cfl = check.cfl;
+        find_limits(std::max(check.u_max, std::abs(description.pressure_ratio())));
+    }
+
+    void set_step_factor(Real factor)
+    {
+        step_factor = factor;
+        if (!description.time.step) state.dt = std::min(state.dt, factor * smallest(limits).dt);
     }
 
     void check_speed_and_step()
@@ -253,8 +271,17 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 
 void Simulation::step(Real until) { impl_->step(until); }
 void Simulation::back_to_good() { impl_->state = impl_->good; }
+void Simulation::set_step_factor(Real factor) { impl_->set_step_factor(factor); }
+const State& Simulation::state() const { return impl_->state; }
+void Simulation::restore(const std::function<void(State&)>& read, Real step_factor)
+{
+    read(impl_->state);
+    impl_->step_factor = step_factor;
+    impl_->after_restore();
+}
 Real Simulation::time() const { return impl_->state.t; }
 Index Simulation::steps() const { return impl_->state.step; }
+Index Simulation::good_step() const { return impl_->good.step; }
 Real Simulation::dt() const { return impl_->state.dt; }
 const TimeStepLimit& Simulation::limiting() const { return smallest(impl_->limits); }
 Real Simulation::spacing() const { return impl_->grid.delta(); }

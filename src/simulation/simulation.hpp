@@ -1,5 +1,6 @@
 #pragma once
 /// One run in memory: Case -> grid, wall and operators; steps; what can be asked of it. No files.
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -10,6 +11,8 @@
 #include "solver/monitor_data.hpp"
 
 namespace starling {
+
+struct State;
 
 /// Seconds spent in one phase of the step.
 struct PhaseTime {
@@ -31,9 +34,17 @@ public:
 
     /// Returns to the last state that was found sound, at most about 50 steps back.
     void back_to_good();
+    /// Multiplies the automatic step by `factor` from now on, beside the safety of the case.
+    void set_step_factor(Real factor);
+
+    /// What a checkpoint holds.
+    const State& state() const;
+    /// Lets `read` fill the state from a checkpoint of the same case; sets the step factor.
+    void restore(const std::function<void(State&)>& read, Real step_factor);
 
     Real time() const;
     Index steps() const;
+    Index good_step() const;               ///< steps of the last state found sound
     Real dt() const;                       ///< longest step the next call of step() takes
     const TimeStepLimit& limiting() const; ///< the bound that sets dt
     Real spacing() const;                  ///< of the grid, the mean over the directions

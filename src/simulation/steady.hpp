@@ -31,6 +31,10 @@ public:
     Real measure() const;
     bool met() const { return measure() <= 1; }
 
+    /// What it looks back on, for a checkpoint; a new criterion to which these are added is this
+    /// one.
+    const std::deque<Sample>& samples() const { return samples_; }
+
 private:
     Real tolerance_, window_;
     std::deque<Sample> samples_; ///< those within the window and the last one before it

@@ -28,6 +28,12 @@ void StopCriteria::add(const Sample& sample)
     if (steady_->met()) reason_ = "steady";
 }
 
+std::vector<Sample> StopCriteria::memory() const
+{
+    if (!steady_) return {};
+    return {steady_->samples().begin(), steady_->samples().end()};
+}
+
 void StopCriteria::check(const Moment& now)
 {
     if (reason_) return;
@@ -60,7 +66,8 @@ Real StopCriteria::time_to_steady() const
 double StopCriteria::seconds_left(const Moment& now) const
 {
     // std::fmin passes over what is unknown.
-    const double seconds_per_step = now.wall_seconds / static_cast<double>(now.steps);
+    const double seconds_per_step =
+        now.wall_seconds / static_cast<double>(now.steps - now.first_step);
     double time = time_to_steady(), seconds = unknown;
     if (stop_.end_time) time = std::fmin(time, *stop_.end_time - now.t);
     if (stop_.steps) seconds = static_cast<double>(*stop_.steps - now.steps) * seconds_per_step;

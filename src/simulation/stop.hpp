@@ -12,7 +12,8 @@ namespace starling {
 struct Moment {
     Index steps;
     Real t, dt;
-    double wall_seconds;
+    double wall_seconds;  ///< since the run began or was resumed
+    Index first_step = 0; ///< at which it was
 };
 
 /// The stop criteria of a case; whichever is met first ends the run.
@@ -22,6 +23,8 @@ public:
 
     /// Takes note of a sample, for the steady criterion.
     void add(const Sample& sample);
+    /// Samples to keep in a checkpoint.
+    std::vector<Sample> memory() const;
     /// Looks at the criteria after a step.
     void check(const Moment& now);
     /// Ends the run at the user's wish.

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pathlib
+import random
 import re
 import signal
 import subprocess
@@ -58,7 +59,7 @@ def wait_for(condition, seconds=60):
 
 
 def test_help(_):
-    for command in ([], ["run"], ["check"], ["theory"], ["cases"], ["plot"]):
+    for command in ([], ["run"], ["resume"], ["check"], ["theory"], ["cases"], ["plot"]):
         result = starling(*command, "--help")
         expect_exit(result, 0)
         expect("Usage: starling" in result.stdout, command, result.stdout)
@@ -147,7 +148,7 @@ def test_run(directory):
                   str(out)):
         expect(words in result.stdout, "run does not say", words, "\n", result.stdout)
     expected = {"case.toml", "theory.csv", "series.csv", "profile.csv", "sections.csv", "summary.json",
-                "wall.h5", "wall.xdmf", "fluid.h5", "fluid.xdmf"}
+                "wall.h5", "wall.xdmf", "fluid.h5", "fluid.xdmf", "frames", "checkpoints"}
     expect({p.name for p in out.iterdir()} == expected, sorted(out.iterdir()))
     check_tables(out)
     summary = summary_of(out)
@@ -188,6 +189,16 @@ def test_si_units(directory):
                summary[key])
 
 
+def test_too_large(directory):
+    out = directory / "out"
+    large = [CASE, "--set", "grid.spacing=0.006"]  # 1.3e9 cells, 300 GB
+    expect("free" in starling("check", *large).stdout, "check does not say what is free")
+    result = starling("run", *large, "--out", out)
+    expect_exit(result, 2)
+    expect("memory" in result.stderr, result.stderr)
+    expect(not out.exists(), "a refused run created", out)
+
+
 def test_refusal(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--out", out), 0)
@@ -220,7 +231,7 @@ def test_interrupt(directory):
         run.send_signal(number)
         printed, errors = run.communicate(timeout=60)
         expect(run.returncode == 0, number, run.returncode, errors)
-        expect("interrupted" in printed, printed)
+        expect("interrupted" in printed and f"starling resume {out}" in printed, printed)
         summary = summary_of(out)
         expect(summary["reason"] == "interrupted", summary["reason"])
         expect(int(rows_of(out / "series.csv")[-1][1]) == summary["steps"], "last row")
@@ -232,6 +243,117 @@ def test_interrupt(directory):
     expect((out / "wall.xdmf").read_text(encoding="utf-8").endswith("</Xdmf>\n"), "wall.xdmf")
     expect_exit(starling("run", *SHORT, "--out", out), 2)  # results stay protected
     expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)  # the lock went with the run
+
+
+FRAMES = ["--set", "output.wall_every=0.1", "--set", "output.fluid_every=0.25"]
+
+
+def tables_and_frames(out):
+    names = ["series.csv", "profile.csv", "sections.csv", "theory.csv", "wall.xdmf", "fluid.xdmf"]
+    names += sorted(str(p.relative_to(out)) for p in (out / "frames").iterdir())
+    return {name: (out / name).read_bytes() for name in names}
+
+
+def expect_same_results(whole, parts):
+    a, b = tables_and_frames(whole), tables_and_frames(parts)
+    expect(a.keys() == b.keys(), sorted(a.keys() ^ b.keys()))
+    for name, content in a.items():
+        expect(content == b[name], name, "differs from the run that never stopped")
+
+
+def test_resume(directory):
+    """Stopped at steps of all kinds, gone on with 1 and 2 threads: the same bytes."""
+    whole, parts = directory / "whole", directory / "parts"
+    long = [*COARSE, *FRAMES]
+    expect_exit(starling("run", *long, "--set", "stop.steps=83", "--out", whole), 0)
+    expect_exit(starling("run", *long, "--set", "stop.steps=1", "--out", parts), 0)
+    for n, stop in enumerate((2, 7, 10, 23, 38, 50, 51, 64, 80, 83)):
+        result = starling("resume", parts, "--set", f"stop.steps={stop}", "--threads", 1 + n % 2)
+        expect_exit(result, 0)
+        expect("Going on from step" in result.stdout, result.stdout)
+    expect_same_results(whole, parts)
+    result = starling("resume", parts, "--set", "stop.steps=200", "--set", "wall.eps=0.01")
+    expect_exit(result, 2)
+    expect("wall.eps: was 0.02, is 0.01" in result.stderr, result.stderr)
+    expect_exit(starling("resume", parts), 2)  # ended: nothing to do
+    expect_exit(starling("resume", directory), 2)  # no checkpoint
+    expect_same_results(whole, parts)  # refusals change nothing
+    for name in ("steady", "end time"):
+        expect(name not in starling("resume", parts).stderr, name)
+
+
+def test_resume_damaged(directory):
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, "--set", "checkpoint.steps=2", "--out", out), 0)
+    latest = (out / "checkpoints" / "latest").resolve()
+    content = latest.read_bytes()
+    for damaged, words in ((content[:len(content) // 2], "truncated"), (b"", "no checkpoint"),
+                           (content[:9000] + b"x" + content[9001:], "damaged")):
+        latest.write_bytes(damaged)
+        result = starling("resume", out, "--set", "stop.steps=8")
+        expect_exit(result, 2)
+        expect(words in result.stderr and "--from" in result.stderr, result.stderr)
+    offered = re.search(r"--from (\S+)", result.stderr)[1]
+    expect_exit(starling("resume", out, "--from", offered, "--set", "stop.steps=8"), 0)
+    expect_exit(starling("run", *SHORT, "--set", "stop.steps=8", "--out", directory / "whole"), 0)
+    expect_same_results(directory / "whole", out)
+
+
+def test_kill_at_the_end(directory):
+    """Killed after the last checkpoint, before the last results: resuming writes them."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--out", directory / "whole"), 0)
+    expect_exit(starling("run", *SHORT, *FRAMES, "--out", out), 0)
+    (out / "summary.json").unlink()
+    (out / "profile.csv").unlink()
+    last = sorted((out / "frames").iterdir())[-1]
+    (out / "frames" / (last.name + ".new")).write_bytes(last.read_bytes()[:1000])
+    expect_exit(starling("resume", out), 0)
+    expect_same_results(directory / "whole", out)
+    expect(summary_of(out)["steps"] == 5, summary_of(out))
+
+
+def test_kill(directory):
+    """Killed at random moments and resumed each time: the same bytes, nothing lost."""
+    out = directory / "killed"
+    stop = ["--set", "stop.steps=400"]
+    case = [*COARSE, *FRAMES, "--set", "checkpoint.steps=7"]
+    expect_exit(starling("run", *case, *stop, "--out", directory / "whole"), 0)
+    random.seed(int(os.environ.get("STARLING_SEED", "1")))
+    arguments, kills = ["run", *case, *stop, "--out", out], 0
+    for _ in range(int(os.environ.get("STARLING_KILLS", "10"))):
+        run = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE)
+        time.sleep(random.uniform(0.02, 0.5))
+        run.kill()
+        errors = run.communicate()[1].decode()
+        if run.returncode != -signal.SIGKILL:
+            expect(run.returncode in (0, 2) and ("nothing to do" in errors or not errors), errors)
+            break
+        kills += 1
+        if (out / "checkpoints" / "latest").exists():
+            arguments = ["resume", out]
+        elif out.exists():
+            arguments = ["run", *case, *stop, "--out", out, "--force"]
+        check_readable(out)
+    print("killed", kills, "times")
+    result = starling(*arguments)
+    expect(result.returncode == 0 or "nothing to do" in result.stderr, result.stderr)
+    expect_same_results(directory / "whole", out)
+    expect(not list(out.rglob("*.new")), list(out.rglob("*.new")))
+
+
+def check_readable(out):
+    """Every frame that wall.xdmf names is there and whole."""
+    xdmf = out / "wall.xdmf"
+    if not xdmf.exists():
+        return
+    text = xdmf.read_text(encoding="utf-8")
+    expect(text.endswith("</Xdmf>\n"), "wall.xdmf")
+    for name in set(re.findall(r">([^<:]+\.h5):", text)):
+        content = (out / name).read_bytes()
+        end = int.from_bytes(content[40:48], "little")  # end of file in HDF5's superblock
+        expect(content.startswith(b"\x89HDF") and end == len(content), name, "is not whole")
 
 
 def test_numerical_error(directory):
@@ -295,9 +417,7 @@ def test_threads(directory):
         expect_exit(starling("run", *SHORT, "--set", "stop.steps=20", "--threads", threads,
                              "--out", directory / str(threads)), 0)
         expect(summary_of(directory / str(threads))["threads"] == threads, "threads")
-    for name in ("series.csv", "profile.csv", "wall.h5", "fluid.h5"):
-        one, two = ((directory / str(n) / name).read_bytes() for n in (1, 2))
-        expect(one == two, name, "differs between 1 and 2 threads")
+    expect_same_results(directory / "1", directory / "2")
 
 
 def check_axes_of_plots(out):

@@ -31,14 +31,15 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.tube.smoothing,        c.perturbation.amplitude,
                    c.tube.mesh_filter,      c.time.safety,
                    c.scaling.length,        c.scaling.velocity,
-                   c.scaling.density})
+                   c.scaling.density,       c.checkpoint.every})
         real(x);
     for (const auto& x : {c.time.step, c.stop.end_time, c.stop.steady_tolerance, c.stop.wall_clock,
                           c.output.wall_every, c.output.fluid_every})
         maybe(x);
-    maybe(c.stop.steps);
     maybe(c.perturbation.mode);
     integer(c.perturbation.seed);
+    for (const auto& x : {c.stop.steps, c.checkpoint.steps}) maybe(x);
+    integer(c.checkpoint.keep);
     integer(c.grid.cells.has_value());
     if (c.grid.cells)
         for (Index n : *c.grid.cells) integer(n);

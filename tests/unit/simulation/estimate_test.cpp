@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
+#include "output/summary.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/steady.hpp"
 #include "wall/tube.hpp"
@@ -70,6 +72,17 @@ TEST(Estimate, BendingLimitsTheStepOfAStiffWallOnAFineGrid)
     EXPECT_EQ(estimate_run(c).binding.name, "bending stiffness");
     c.material.bending = 1e-6;
     EXPECT_NE(estimate_run(c).binding.name, "bending stiffness");
+}
+
+TEST(Memory, ThatIsNotThereIsRefused)
+{
+    Case c = inflation();
+    const Index needed = estimate_run(c).memory_bytes;
+    EXPECT_NO_THROW(check_memory(c, needed));
+    EXPECT_THROW(check_memory(c, needed - 1), InputError);
+    EXPECT_GT(available_memory_bytes(), Index{1} << 20);
+    c.grid.spacing = 0.005; // 2.3e9 cells
+    EXPECT_THROW(check_memory(c, available_memory_bytes()), InputError);
 }
 
 TEST(Estimate, DurationIsThatOfTheFirstCriterion)

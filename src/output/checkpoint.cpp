@@ -1,0 +1,416 @@
+#include "output/checkpoint.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "output/crc64.hpp"
+#include "output/series.hpp"
+#include "output/version.hpp"
+
+namespace starling {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t header_size = 512;
+constexpr int format_version = 1;
+constexpr const char* magic = "Starling checkpoint\n";
+constexpr std::array<const char*, 3> component_names = {"u", "v", "w"};
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason)
+{
+    throw InputError(path.string() + ": " + reason);
+}
+
+/// Size and checksum of all that follows the header.
+struct Contents {
+    std::uintmax_t bytes = 0;
+    std::uint64_t crc = 0;
+};
+
+Contents measure(std::istream& stream)
+{
+    Contents contents;
+    Crc64 crc;
+    std::vector<char> buffer(std::size_t{1} << 20);
+    while (stream) {
+        stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+        const auto count = static_cast<std::size_t>(stream.gcount());
+        crc.add({buffer.data(), count});
+        contents.bytes += count;
+    }
+    contents.crc = crc.value();
+    return contents;
+}
+
+std::string header_text(const Contents& contents)
+{
+    return fmt::format("{}format_version {}\nbytes {}\ncrc64 {:016x}\n"
+                       "An HDF5 file follows these 512 bytes: docs/checkpoints.md\n",
+                       magic, format_version, contents.bytes, contents.crc);
+}
+
+[[noreturn]] void fail_to_write(const fs::path& path)
+{
+    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
+}
+
+/// An open file descriptor.
+class Descriptor {
+public:
+    Descriptor(const fs::path& path, int flags) : path_(path), file_(open(path.c_str(), flags))
+    {
+        if (file_ < 0) fail_to_write(path_);
+    }
+    ~Descriptor() { close(file_); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    void write_at_begin(const std::string& text) const
+    {
+        if (pwrite(file_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
+            fail_to_write(path_);
+    }
+    void sync() const
+    {
+        if (fsync(file_) != 0) fail_to_write(path_);
+    }
+
+private:
+    fs::path path_;
+    int file_;
+};
+
+/// The small numbers of a run's memory as attributes of /run.
+template <class Self, class F>
+void for_numbers(Self& m, F f)
+{
+    f("last_row", m.last_row);
+    f("wall_frames", m.wall_frames);
+    f("fluid_frames", m.fluid_frames);
+    f("wall_step", m.wall_step);
+    f("fluid_step", m.fluid_step);
+    f("next_wall", m.next_wall);
+    f("next_fluid", m.next_fluid);
+    f("wall_seconds", m.wall_seconds);
+    f("step_factor", m.step_factor);
+}
+
+/// The fields of the fluid, by name.
+template <class Fluid, class F>
+void for_fields(Fluid& fluid, F f)
+{
+    for (std::size_t c = 0; c < 3; ++c) {
+        f(std::string("/fluid/") + component_names[c], fluid.u.component[c]);
+        f(std::string("/fluid/N_before_") + component_names[c], fluid.N_before.component[c]);
+    }
+    f("/fluid/P", fluid.P);
+}
+
+std::span<const Real> as_reals(const Array<Vec3>& a)
+{
+    static_assert(sizeof(Vec3) == 3 * sizeof(Real));
+    return {reinterpret_cast<const Real*>(a.data()), 3 * static_cast<std::size_t>(a.size())};
+}
+
+std::span<Real> as_reals(Array<Vec3>& a)
+{
+    return {reinterpret_cast<Real*>(a.data()), 3 * static_cast<std::size_t>(a.size())};
+}
+
+void write_state(hdf5::File& file, const State& s)
+{
+    using enum hdf5::Precision;
+    for (const char* group : {"/state", "/fluid", "/wall", "/ghosts"}) file.make_group(group);
+    file.attribute("/state", "t", s.t);
+    file.attribute("/state", "step", s.step);
+    file.attribute("/state", "dt", s.dt);
+    file.attribute("/state", "dt_before", s.fluid.dt_before);
+    for_fields(s.fluid, [&](const std::string& path, const ScalarField& f) {
+        const auto v = f.values().span();
+        file.write(path, {v.size()}, v, full);
+    });
+    const hsize_t vertices = static_cast<hsize_t>(s.wall.x.size());
+    file.write("/wall/x", {vertices, 3}, as_reals(s.wall.x), full);
+    file.write("/wall/velocity", {vertices, 3}, as_reals(s.wall.velocity), full);
+}
+
+void write_ghosts(hdf5::File& file, const GhostState& s, const std::string& group)
+{
+    file.make_group(group);
+    file.write(group + "/inside", s.inside.values().span());
+    std::vector<std::int32_t> node, element;
+    std::vector<std::uint8_t> outside;
+    std::vector<Real> point, squared_distance;
+    for (const NearNode& n : s.near_wall) {
+        node.insert(node.end(), {n.i, n.j, n.k});
+        element.push_back(n.intercept.element);
+        outside.push_back(n.intercept.outside ? 1 : 0);
+        const Vec3& p = n.intercept.point;
+        point.insert(point.end(), {p.x, p.y, p.z});
+        squared_distance.push_back(n.intercept.squared_distance);
+    }
+    const hsize_t count = s.near_wall.size();
+    file.write(group + "/node", {count, 3}, node);
+    file.write(group + "/element", {count}, element);
+    file.write(group + "/outside", outside);
+    file.write(group + "/point", {count, 3}, point, hdf5::Precision::full);
+    file.write(group + "/squared_distance", {count}, squared_distance, hdf5::Precision::full);
+}
+
+void read_ghosts(const hdf5::File& file, GhostState& s, const std::string& group)
+{
+    file.read(group + "/inside",
+              {s.inside.values().data(), static_cast<std::size_t>(s.inside.values().size())});
+    const std::size_t count = file.shape(group + "/element").at(0);
+    std::vector<std::int32_t> node(3 * count), element(count);
+    std::vector<std::uint8_t> outside(count);
+    std::vector<Real> point(3 * count), squared_distance(count);
+    file.read(group + "/node", node);
+    file.read(group + "/element", element);
+    file.read(group + "/outside", outside);
+    file.read(group + "/point", point);
+    file.read(group + "/squared_distance", squared_distance);
+    s.near_wall.resize(count); // keeps the room that was reserved for it
+    for (std::size_t n = 0; n < count; ++n)
+        s.near_wall[n] = {node[3 * n],
+                          node[3 * n + 1],
+                          node[3 * n + 2],
+                          false,
+                          {element[n],
+                           {point[3 * n], point[3 * n + 1], point[3 * n + 2]},
+                           squared_distance[n],
+                           outside[n] != 0}};
+}
+
+void write_memory(hdf5::File& file, const RunMemory& m)
+{
+    file.make_group("/run");
+    for_numbers(m, [&](const char* name, auto value) { file.attribute("/run", name, value); });
+    std::vector<Real> values;
+    for (const Sample& s : m.window)
+        for (const Column<Sample>& c : sample_columns())
+            values.push_back(std::visit([&](auto p) { return static_cast<Real>(s.*p); }, c.member));
+    file.write("/run/window", {m.window.size(), sample_columns().size()}, values,
+               hdf5::Precision::full);
+}
+
+void write_hdf5(const fs::path& path, const State& state, const RunMemory& memory,
+                const std::string& case_text)
+{
+    hdf5::File file = hdf5::File::create(path, hdf5::Layout::contiguous, header_size);
+    file.attribute("/", "format", std::string("starling checkpoint"));
+    file.attribute("/", "format_version", Index{format_version});
+    file.attribute("/", "version", version());
+    file.attribute("/", "units", std::string("dimensionless: R_0, U_c, rho"));
+    write_state(file, state);
+    for (std::size_t c = 0; c < 3; ++c)
+        write_ghosts(file, state.ghosts[c], std::string("/ghosts/") + component_names[c]);
+    write_memory(file, memory);
+    const auto* text = reinterpret_cast<const std::uint8_t*>(case_text.data());
+    file.write("/case", std::span(text, case_text.size()));
+    file.flush();
+}
+
+bool all_finite(std::span<const Real> values)
+{
+    return std::ranges::all_of(values, [](Real v) { return std::isfinite(v); });
+}
+
+} // namespace
+
+bool is_finite(const State& s)
+{
+    bool finite = std::isfinite(s.t) && std::isfinite(s.dt) && all_finite(as_reals(s.wall.x)) &&
+                  all_finite(as_reals(s.wall.velocity));
+    for_fields(s.fluid, [&](const std::string&, const ScalarField& f) {
+        finite = finite && all_finite(f.values().span());
+    });
+    return finite;
+}
+
+void write_checkpoint(const fs::path& path, const State& state, const RunMemory& memory,
+                      const std::string& case_text)
+{
+    if (!is_finite(state)) throw std::logic_error("a state that is not finite is no checkpoint");
+    const fs::path temporary = path.string() + ".new";
+    try {
+        write_hdf5(temporary, state, memory, case_text);
+        std::ifstream stream(temporary, std::ios::binary);
+        stream.seekg(header_size);
+        const Contents contents = measure(stream);
+        const Descriptor file(temporary, O_RDWR | O_CLOEXEC);
+        file.write_at_begin(header_text(contents));
+        file.sync();
+        fs::rename(temporary, path);
+        Descriptor(path.parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC).sync();
+    } catch (...) {
+        std::error_code none;
+        fs::remove(temporary, none);
+        throw;
+    }
+}
+
+CheckpointFile::CheckpointFile(const fs::path& path) : path_(path)
+{
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) refuse(path, "no such checkpoint");
+    std::ifstream stream(path, std::ios::binary);
+    std::string header(header_size, '\0');
+    stream.read(header.data(), header_size);
+    if (!stream && stream.gcount() == 0 && fs::file_size(path, error) > 0)
+        refuse(path, "cannot be read");
+    header = header.substr(0, header.find('\0'));
+    if (!header.starts_with(magic)) refuse(path, "is no checkpoint of Starling");
+    int written_version = 0;
+    Contents expected;
+    unsigned long long bytes = 0, crc = 0;
+    const int found =
+        std::sscanf(header.c_str() + std::strlen(magic), "format_version %d bytes %llu crc64 %llx",
+                    &written_version, &bytes, &crc);
+    if (found >= 1 && written_version > format_version)
+        refuse(path, fmt::format("has version {} of the format, this program reads up to {}: use "
+                                 "the Starling that wrote it or a newer one",
+                                 written_version, format_version));
+    if (found != 3) refuse(path, "is damaged (header)");
+    const Contents contents = measure(stream);
+    if (contents.bytes < bytes)
+        refuse(path, fmt::format("is truncated: {} of {} bytes", contents.bytes, bytes));
+    if (contents.bytes != bytes || contents.crc != crc)
+        refuse(path, "is damaged (its checksum does not fit)");
+    try {
+        const hdf5::File file = hdf5::File::open(path);
+        step_ = file.index_attribute("/state", "step");
+        t_ = file.real_attribute("/state", "t");
+        version_ = file.text_attribute("/", "version");
+        case_text_.resize(file.shape("/case").at(0));
+        file.read("/case",
+                  std::span(reinterpret_cast<std::uint8_t*>(case_text_.data()), case_text_.size()));
+    } catch (const std::exception& e) {
+        refuse(path, e.what());
+    }
+}
+
+void CheckpointFile::read(State& s) const
+{
+    try {
+        const hdf5::File file = hdf5::File::open(path_);
+        s.t = file.real_attribute("/state", "t");
+        s.step = file.index_attribute("/state", "step");
+        s.dt = file.real_attribute("/state", "dt");
+        s.fluid.dt_before = file.real_attribute("/state", "dt_before");
+        for_fields(s.fluid, [&](const std::string& path, ScalarField& f) {
+            file.read(path, std::span(f.values().data(), f.values().span().size()));
+        });
+        file.read("/wall/x", as_reals(s.wall.x));
+        file.read("/wall/velocity", as_reals(s.wall.velocity));
+        for (std::size_t c = 0; c < 3; ++c)
+            read_ghosts(file, s.ghosts[c], std::string("/ghosts/") + component_names[c]);
+    } catch (const std::exception& e) {
+        refuse(path_, std::string(e.what()) + " (another grid or wall?)");
+    }
+}
+
+RunMemory CheckpointFile::read_memory() const
+{
+    try {
+        const hdf5::File file = hdf5::File::open(path_);
+        RunMemory m;
+        for_numbers(m, [&](const char* name, auto& value) {
+            if constexpr (std::is_same_v<decltype(value), Index&>)
+                value = file.index_attribute("/run", name);
+            else
+                value = file.real_attribute("/run", name);
+        });
+        const auto columns = sample_columns();
+        m.window.resize(file.shape("/run/window").at(0));
+        std::vector<Real> values(m.window.size() * columns.size());
+        file.read("/run/window", values);
+        auto value = values.begin();
+        for (Sample& s : m.window)
+            for (const Column<Sample>& c : columns)
+                std::visit(
+                    [&](auto p) {
+                        s.*p = static_cast<std::remove_reference_t<decltype(s.*p)>>(*value++);
+                    },
+                    c.member);
+        return m;
+    } catch (const std::exception& e) {
+        refuse(path_, e.what());
+    }
+}
+
+namespace {
+
+bool is_checkpoint_name(const std::string& name)
+{
+    return name.starts_with("step_") && name.ends_with(".h5");
+}
+
+/// What a kill left of a checkpoint.
+std::vector<fs::path> unfinished(const fs::path& folder)
+{
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".new") found.push_back(entry.path());
+    return found;
+}
+
+void point_latest(const fs::path& folder, const fs::path& name)
+{
+    std::error_code none;
+    const fs::path temporary = folder / "latest.new";
+    fs::remove(temporary, none);
+    fs::create_symlink(name, temporary);
+    fs::rename(temporary, folder / "latest");
+}
+
+} // namespace
+
+CheckpointRing::CheckpointRing(const fs::path& run_directory, Index keep)
+    : directory_(run_directory), keep_(keep)
+{
+}
+
+fs::path CheckpointRing::folder(const fs::path& run_directory)
+{
+    return run_directory / "checkpoints";
+}
+
+std::vector<fs::path> CheckpointRing::list(const fs::path& run_directory)
+{
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder(run_directory), error))
+        if (is_checkpoint_name(entry.path().filename())) found.push_back(entry.path());
+    std::ranges::sort(found, std::greater<>());
+    return found;
+}
+
+void CheckpointRing::write(const State& state, const RunMemory& memory,
+                           const std::string& case_text)
+{
+    if (keep_ == 0) return;
+    const fs::path folder_path = folder(directory_);
+    fs::create_directories(folder_path);
+    const std::string name = fmt::format("step_{:010}.h5", state.step);
+    write_checkpoint(folder_path / name, state, memory, case_text);
+    point_latest(folder_path, name);
+    Index kept = 0;
+    for (const fs::path& p : list(directory_)) // those with more steps were given up
+        if (p.filename() > name || ++kept > keep_) fs::remove(p);
+    std::error_code none;
+    for (const fs::path& p : unfinished(folder_path)) fs::remove(p, none);
+}
+
+} // namespace starling

@@ -1,0 +1,134 @@
+#include "simulation/run_files.hpp"
+
+#include "config/write_case.hpp"
+#include "output/profile.hpp"
+#include "output/replace_file.hpp"
+#include "output/sections.hpp"
+
+namespace starling {
+
+bool Schedule::due(Real t, Real dt)
+{
+    if (!every_) return false;
+    const Real slack = closest_targets * std::min(dt, *every_);
+    if (t < next_ - slack) return false;
+    next_ = *every_ * (std::floor((t + slack) / *every_) + 1);
+    return true;
+}
+
+void Schedule::go_on(Real t, Real next)
+{
+    if (!every_) return;
+    const bool same =
+        next > t && next == *every_ * std::round(next / *every_) && next <= t + 2 * *every_;
+    next_ = same ? next : *every_ * (std::floor(t / *every_) + 1);
+}
+
+RunFiles::RunFiles(const Case& c, const RunDirectoryOptions& directory)
+    : case_(c), directory_(directory), checkpoints_(directory_.path(), c.checkpoint.keep),
+      wall_due_(c.output.wall_every), fluid_due_(c.output.fluid_every)
+{
+}
+
+void RunFiles::begin()
+{
+    write_own_case();
+    series_.emplace(directory_.file("series.csv"), case_.scaling);
+}
+
+void RunFiles::write_own_case() const
+{
+    replace_file(directory_.file("case.toml"),
+                 written_case_mark + (": every default filled in\n" + write_case(case_)));
+}
+
+void RunFiles::go_on_from(const RunMemory& m, Real t)
+{
+    series_.emplace(directory_.file("series.csv"), case_.scaling, m.last_row);
+    write_own_case();
+    for (const char* name :
+         {"summary.json", "profile.csv", "sections.csv"}) // they are of an end that is none
+        std::filesystem::remove(directory_.file(name));
+    wall_.emplace(field_options(m.wall_frames));
+    fluid_.emplace(field_options(m.fluid_frames));
+    wall_due_.go_on(t, m.next_wall);
+    fluid_due_.go_on(t, m.next_fluid);
+    last_row_ = m.last_row;
+    wall_step_ = m.wall_step;
+    fluid_step_ = m.fluid_step;
+}
+
+void RunFiles::note(RunMemory& m) const
+{
+    m.last_row = last_row_;
+    m.wall_frames = wall_ ? wall_->frames() : 0;
+    m.fluid_frames = fluid_ ? fluid_->frames() : 0;
+    m.wall_step = wall_step_;
+    m.fluid_step = fluid_step_;
+    m.next_wall = std::min(wall_due_.next(), std::numeric_limits<Real>::max());
+    m.next_fluid = std::min(fluid_due_.next(), std::numeric_limits<Real>::max());
+}
+
+void RunFiles::theory(const TheoryReport& report)
+{
+    replace_file(directory_.file("theory.csv"), to_csv(report, case_.scaling));
+}
+
+void RunFiles::sample(const Sample& s)
+{
+    series_->write(s);
+    last_row_ = s.step;
+}
+
+void RunFiles::fields(const Simulation& simulation)
+{
+    if (wall_due_.due(simulation.time(), simulation.dt())) wall(simulation);
+    if (fluid_due_.due(simulation.time(), simulation.dt())) fluid(simulation);
+}
+
+void RunFiles::first_wall(const Simulation& simulation)
+{
+    if (simulation.steps() != wall_step_) wall(simulation);
+}
+
+void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory)
+{
+    checkpoints_.write(simulation.state(), memory, write_case(case_));
+}
+
+void RunFiles::finish(const Simulation& simulation)
+{
+    write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
+    write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
+    if (simulation.steps() > wall_step_) wall(simulation);
+    if (simulation.steps() > fluid_step_) fluid(simulation);
+}
+
+void RunFiles::summary(const Summary& s)
+{
+    write_summary(directory_.file("summary.json"), s, case_.scaling);
+}
+
+FieldFileOptions RunFiles::field_options(Index keep) const
+{
+    return {directory_.path(), case_.scaling,
+            case_.output.double_precision ? hdf5::Precision::full : hdf5::Precision::single, keep};
+}
+
+void RunFiles::wall(const Simulation& simulation)
+{
+    if (!case_.output.wall) return;
+    if (!wall_) wall_.emplace(field_options(0));
+    wall_->write(simulation.wall_snapshot());
+    wall_step_ = simulation.steps();
+}
+
+void RunFiles::fluid(const Simulation& simulation)
+{
+    if (!case_.output.fluid) return;
+    if (!fluid_) fluid_.emplace(field_options(0));
+    fluid_->write(simulation.fluid_snapshot());
+    fluid_step_ = simulation.steps();
+}
+
+} // namespace starling

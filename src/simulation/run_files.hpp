@@ -1,0 +1,76 @@
+#pragma once
+/// The files of one run: which are written when, and how a run goes on with them.
+#include <limits>
+#include <optional>
+
+#include "output/checkpoint.hpp"
+#include "output/field_file.hpp"
+#include "output/run_directory.hpp"
+#include "output/series.hpp"
+#include "output/summary.hpp"
+#include "simulation/simulation.hpp"
+#include "theory/theory_report.hpp"
+
+namespace starling {
+
+inline constexpr Real closest_targets = 0.25; ///< in steps: times nearer to each other are one
+
+/// The times at which frames are due: 0 and the multiples of `every`.
+class Schedule {
+public:
+    explicit Schedule(std::optional<Real> every) : every_(every) {}
+    /// Time of the next frame; infinite where only the first and last states are wanted.
+    Real next() const { return every_ ? next_ : std::numeric_limits<Real>::infinity(); }
+    /// Whether a frame is due at t; one due within a quarter of a step counts.
+    bool due(Real t, Real dt);
+    /// Goes on at t; `next` is kept where it is a multiple of `every`.
+    void go_on(Real t, Real next);
+
+private:
+    std::optional<Real> every_;
+    Real next_ = 0;
+};
+
+class RunFiles {
+public:
+    /// The files of a new run, or with `go_on` those of the run that `memory` is of.
+    RunFiles(const Case& c, const RunDirectoryOptions& directory);
+
+    void begin();
+    /// The run has ended and all that it writes then is there.
+    bool complete() const { return std::filesystem::exists(directory_.file("summary.json")); }
+    /// Drops what was written after the moment of `memory` and goes on from there.
+    void go_on_from(const RunMemory& memory, Real t);
+    /// Notes in `memory` how far the files are.
+    void note(RunMemory& memory) const;
+
+    void theory(const TheoryReport& report);
+    void sample(const Sample& s);
+    /// Wall and fluid frames that are due now.
+    void fields(const Simulation& simulation);
+    Index last_row() const { return last_row_; } ///< step of the last row of series.csv
+    /// Time of the next frame.
+    Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
+    void first_wall(const Simulation& simulation);
+    void checkpoint(const Simulation& simulation, const RunMemory& memory);
+    /// What is written once a run has ended.
+    void finish(const Simulation& simulation);
+    void summary(const Summary& s);
+
+private:
+    void write_own_case() const;
+    FieldFileOptions field_options(Index keep) const;
+    void wall(const Simulation& simulation);
+    void fluid(const Simulation& simulation);
+
+    const Case& case_;
+    RunDirectory directory_;
+    CheckpointRing checkpoints_;
+    std::optional<SeriesWriter> series_;
+    Schedule wall_due_, fluid_due_;
+    std::optional<WallFile> wall_;
+    std::optional<FluidFile> fluid_;
+    Index last_row_ = -1, wall_step_ = -1, fluid_step_ = -1; ///< steps of the last row and frames
+};
+
+} // namespace starling

@@ -1,0 +1,241 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/error.hpp"
+#include "output/checkpoint.hpp"
+#include "output/crc64.hpp"
+#include "temporary_directory.hpp"
+
+namespace starling {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Crc64, GivesTheCheckValueOfItsVariant)
+{
+    Crc64 crc;
+    crc.add(std::string_view("123456789"));
+    EXPECT_EQ(crc.value(), 0x995DC9BBDF1939FAu);
+}
+
+TEST(Crc64, DoesNotDependOnThePieces)
+{
+    const std::string text = "a line of more than sixteen bytes";
+    Crc64 whole;
+    whole.add(text);
+    for (std::size_t cut = 0; cut <= text.size(); ++cut) {
+        Crc64 parts;
+        parts.add(std::string_view(text).substr(0, cut));
+        parts.add(std::string_view(text).substr(cut));
+        EXPECT_EQ(parts.value(), whole.value()) << cut;
+    }
+}
+
+/// A small state with a different number in every place.
+struct Example {
+    Grid grid{{4, 3, 2}, {0, -1, -1}, {4, 2, 2}};
+    Tube tube = make_tube({.length = 4, .rigid_inlet = 1, .rigid_outlet = 1}, 0.8);
+    State state{grid, tube};
+    RunMemory memory;
+
+    Example()
+    {
+        Real next = 0.1;
+        const auto fill = [&](ScalarField& f) {
+            for (Real& v : f.values()) v = next += 0.1;
+        };
+        for (auto& f : state.fluid.u.component) fill(f);
+        for (auto& f : state.fluid.N_before.component) fill(f);
+        fill(state.fluid.P);
+        state.fluid.dt_before = 0.01;
+        for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
+        for (GhostState& g : state.ghosts) {
+            g.inside.values()[7] = 1;
+            g.near_wall.push_back({1, 2, 0, false, {5, {next, 2, 3}, 0.25, true}});
+            g.near_wall.push_back({2, 2, 1, false, {6, {1, next, 3}, 0.5, false}});
+        }
+        state.t = 1 / 3.;
+        state.step = 42;
+        state.dt = 0.02;
+        memory.window.resize(3);
+        memory.window[1].Q_in = 0.7;
+        memory.window[2].step = 41;
+        memory.last_row = 40;
+        memory.wall_frames = 2;
+        memory.next_wall = 0.5;
+        memory.wall_seconds = 12.5;
+        memory.step_factor = 0.5;
+    }
+    fs::path write(const fs::path& directory) const
+    {
+        write_checkpoint(directory / "step.h5", state, memory, "[fluid]\nreynolds = 1\n");
+        return directory / "step.h5";
+    }
+};
+
+template <class T>
+bool same_bytes(const Array<T>& a, const Array<T>& b)
+{
+    return a.size() == b.size() &&
+           std::memcmp(a.data(), b.data(), sizeof(T) * static_cast<std::size_t>(a.size())) == 0;
+}
+
+TEST(Checkpoint, GivesBackEveryBitOfTheState)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    const CheckpointFile file(example.write(dir.path()));
+    EXPECT_EQ(file.step(), 42);
+    EXPECT_EQ(file.t(), 1 / 3.);
+    EXPECT_EQ(file.case_text(), "[fluid]\nreynolds = 1\n");
+
+    State read(example.grid, example.tube);
+    file.read(read);
+    const State& s = example.state;
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_TRUE(
+            same_bytes(read.fluid.u.component[c].values(), s.fluid.u.component[c].values()));
+        EXPECT_TRUE(same_bytes(read.fluid.N_before.component[c].values(),
+                               s.fluid.N_before.component[c].values()));
+        EXPECT_TRUE(same_bytes(read.ghosts[c].inside.values(), s.ghosts[c].inside.values()));
+        ASSERT_EQ(read.ghosts[c].near_wall.size(), 2u);
+        const NearNode &a = read.ghosts[c].near_wall[0], &b = s.ghosts[c].near_wall[0];
+        EXPECT_TRUE(a.i == b.i && a.j == b.j && a.k == b.k);
+        EXPECT_EQ(a.intercept.element, b.intercept.element);
+        EXPECT_EQ(a.intercept.point, b.intercept.point);
+        EXPECT_EQ(a.intercept.squared_distance, b.intercept.squared_distance);
+        EXPECT_EQ(a.intercept.outside, b.intercept.outside);
+    }
+    EXPECT_TRUE(same_bytes(read.fluid.P.values(), s.fluid.P.values()));
+    EXPECT_TRUE(same_bytes(read.wall.x, s.wall.x));
+    EXPECT_TRUE(same_bytes(read.wall.velocity, s.wall.velocity));
+    EXPECT_EQ(read.t, s.t);
+    EXPECT_EQ(read.dt, s.dt);
+    EXPECT_EQ(read.fluid.dt_before, s.fluid.dt_before);
+
+    const RunMemory m = file.read_memory();
+    ASSERT_EQ(m.window.size(), 3u);
+    EXPECT_EQ(m.window[1].Q_in, 0.7);
+    EXPECT_EQ(m.window[2].step, 41);
+    EXPECT_EQ(m.last_row, 40);
+    EXPECT_EQ(m.wall_frames, 2);
+    EXPECT_EQ(m.next_wall, 0.5);
+    EXPECT_EQ(m.wall_seconds, 12.5);
+    EXPECT_EQ(m.step_factor, 0.5);
+}
+
+/// What is said of a file; empty if it is found whole.
+std::string complaint(const fs::path& path)
+{
+    try {
+        const CheckpointFile file(path);
+    } catch (const InputError& e) {
+        return e.what();
+    }
+    return "";
+}
+
+TEST(Checkpoint, CutOffAnywhereIsRefused)
+{
+    TemporaryDirectory dir;
+    const std::string whole = read_text(Example().write(dir.path()));
+    const fs::path cut = dir.path() / "cut.h5";
+    for (std::size_t size = 0; size < whole.size(); size += 1 + size / 7) {
+        write_text(cut, whole.substr(0, size));
+        EXPECT_NE(complaint(cut), "") << size;
+    }
+    write_text(cut, whole.substr(0, whole.size() - 1));
+    EXPECT_NE(complaint(cut).find("truncated"), std::string::npos) << complaint(cut);
+}
+
+TEST(Checkpoint, WithOneWrongByteIsRefused)
+{
+    TemporaryDirectory dir;
+    const std::string whole = read_text(Example().write(dir.path()));
+    const fs::path wrong = dir.path() / "wrong.h5";
+    for (std::size_t place = 512; place < whole.size(); place += 97) {
+        std::string text = whole;
+        text[place] = static_cast<char>(text[place] ^ 4);
+        write_text(wrong, text);
+        EXPECT_NE(complaint(wrong).find("checksum"), std::string::npos) << place;
+    }
+}
+
+TEST(Checkpoint, OfAnotherKindOrANewerVersionIsNamedAsSuch)
+{
+    TemporaryDirectory dir;
+    std::string text = read_text(Example().write(dir.path()));
+    const fs::path other = dir.path() / "other.h5";
+    text.replace(text.find("format_version 1"), 16, "format_version 7");
+    write_text(other, text);
+    EXPECT_NE(complaint(other).find("version 7"), std::string::npos) << complaint(other);
+    write_text(other, "\x89HDF\r\n\x1a\n and so on");
+    EXPECT_NE(complaint(other).find("no checkpoint of Starling"), std::string::npos);
+    write_text(other, "");
+    EXPECT_NE(complaint(other).find("no checkpoint of Starling"), std::string::npos);
+    EXPECT_NE(complaint(dir.path() / "none.h5").find("no such"), std::string::npos);
+    EXPECT_NE(complaint(dir.path()).find("no such"), std::string::npos);
+}
+
+TEST(Checkpoint, OfAnotherGridIsRefused)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    const CheckpointFile file(example.write(dir.path()));
+    const Grid finer({5, 3, 2}, {0, -1, -1}, {4, 2, 2});
+    State state(finer, example.tube);
+    EXPECT_THROW(file.read(state), InputError);
+}
+
+TEST(Checkpoint, IsNotWrittenOfAStateThatIsNotFinite)
+{
+    TemporaryDirectory dir;
+    Example example;
+    example.state.fluid.P.values()[3] = std::nan("");
+    EXPECT_THROW(example.write(dir.path()), std::logic_error);
+    EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+TEST(Checkpoint, ThatCannotBeWrittenLeavesTheOldOne)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    const fs::path path = example.write(dir.path());
+    const std::string before = read_text(path);
+    fs::create_directory(path.string() + ".new"); // in the way of the temporary file
+    EXPECT_THROW(example.write(dir.path()), std::runtime_error);
+    EXPECT_EQ(read_text(path), before);
+}
+
+TEST(CheckpointRing, KeepsTheLastOnesAndPointsAtTheLatest)
+{
+    TemporaryDirectory dir;
+    Example example;
+    CheckpointRing ring(dir.path(), 2);
+    for (Index step : {5, 10, 15}) {
+        example.state.step = step;
+        ring.write(example.state, example.memory, "");
+    }
+    const auto all = CheckpointRing::list(dir.path());
+    ASSERT_EQ(all.size(), 2u);
+    EXPECT_EQ(CheckpointFile(all[0]).step(), 15);
+    EXPECT_EQ(CheckpointFile(all[1]).step(), 10);
+    EXPECT_EQ(CheckpointFile(CheckpointRing::folder(dir.path()) / "latest").step(), 15);
+
+    example.state.step = 12; // gone back to 10 and on from there
+    ring.write(example.state, example.memory, "");
+    EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[0]).step(), 12);
+    EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[1]).step(), 10);
+}
+
+TEST(CheckpointRing, OfNoneWritesNothing)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    CheckpointRing(dir.path(), 0).write(example.state, example.memory, "");
+    EXPECT_TRUE(fs::is_empty(dir.path()));
+}
+
+} // namespace
+} // namespace starling

@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "config/write_case.hpp"
+#include "core/error.hpp"
+#include "core/for_each.hpp"
+#include "output/checkpoint.hpp"
+#include "simulation/resume.hpp"
+#include "simulation/run.hpp"
+#include "unit/output/temporary_directory.hpp"
+
+namespace starling {
+namespace {
+
+namespace fs = std::filesystem;
+
+Case coarse_tube()
+{
+    Case c;
+    c.tube.length = 4;
+    c.tube.rigid_inlet = c.tube.rigid_outlet = 0.8;
+    c.grid.spacing = 0.33;
+    c.grid.width_y = c.grid.width_z = 4.5;
+    c.drive.pressure_inlet = 2 * c.baseline_pressure_drop();
+    c.stop.steps = 100;
+    return c;
+}
+
+/// A number that differs if any bit of a state does (but not of what is no part of it).
+std::string bits(const State& s)
+{
+    std::string all;
+    const auto add = [&](const auto& a) {
+        all.append(reinterpret_cast<const char*>(a.data()),
+                   sizeof(*a.data()) * static_cast<std::size_t>(a.size()));
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+        add(s.fluid.u.component[c].values());
+        add(s.fluid.N_before.component[c].values());
+        add(s.ghosts[c].inside.values());
+        for (const NearNode& n : s.ghosts[c].near_wall)
+            all += std::to_string(n.i) + " " + std::to_string(n.j) + " " + std::to_string(n.k) +
+                   " " + std::to_string(n.intercept.element) + ",";
+    }
+    add(s.fluid.P.values());
+    add(s.wall.x);
+    add(s.wall.velocity);
+    const std::array<Real, 3> times = {s.t, s.dt, s.fluid.dt_before};
+    all.append(reinterpret_cast<const char*>(times.data()), sizeof(times));
+    return all;
+}
+
+/// An inflating membrane, or a wall that resists bending and is pressed together.
+Case coarse_case(bool pressed)
+{
+    Case c = coarse_tube();
+    if (!pressed) return c;
+    c.material.bending = 0.02;
+    c.drive.pressure_external = 3 * c.baseline_pressure_drop();
+    return c;
+}
+
+class Resume : public testing::TestWithParam<std::pair<int, bool>> {
+protected:
+    Resume() { omp_set_num_threads(2); }
+    ~Resume() override { omp_set_num_threads(threads_); }
+    Resume(const Resume&) = delete;
+    Resume& operator=(const Resume&) = delete;
+
+private:
+    int threads_ = max_threads();
+};
+
+TEST_P(Resume, ContinuesToTheBitFromAnyStep)
+{
+    constexpr Index last = 45;
+    TemporaryDirectory dir;
+    const auto [threads, pressed] = GetParam();
+    const Case c = coarse_case(pressed);
+    Simulation whole(c);
+    for (Index n = 0; n < last; ++n) {
+        if (n % 9 == 4 || n == 0)
+            write_checkpoint(dir.path() / (std::to_string(n) + ".h5"), whole.state(), {},
+                             write_case(c));
+        whole.step();
+    }
+    omp_set_num_threads(threads);
+    for (const auto& entry : fs::directory_iterator(dir.path())) {
+        const CheckpointFile file(entry.path());
+        Simulation part(c);
+        part.restore([&](State& s) { file.read(s); }, 1);
+        while (part.steps() < last) part.step();
+        EXPECT_TRUE(bits(part.state()) == bits(whole.state())) << "from step " << file.step();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(ThreadsAndWalls, Resume,
+                         testing::Values(std::pair{1, false}, std::pair{2, false},
+                                         std::pair{1, true}));
+
+class Quiet : public RunObserver {
+public:
+    void retrying(const Retry& retry) override { retries.push_back(retry); }
+    std::vector<Retry> retries;
+};
+
+/// A run of a case into a directory of its own.
+Summary run_to(const Case& c, const fs::path& directory, RunObserver& observer)
+{
+    return run(c, {directory, false, {}}, observer);
+}
+
+TEST(ResumedCase, MayStopElsewhereButNotBeAnother)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.stop.steps = 2;
+    Quiet quiet;
+    run_to(c, dir.path() / "out", quiet);
+    const fs::path out = dir.path() / "out";
+    const CheckpointFile file = latest_checkpoint(out);
+    EXPECT_EQ(file.step(), 2);
+    using enum Changes;
+    EXPECT_EQ(
+        resumed_case(out, file, {"stop.steps=9", "output.wall=false"}, stop_and_output).stop.steps,
+        9);
+    std::string message;
+    try {
+        resumed_case(out, file, {"wall.eps=0.5", "stop.steps=9"}, stop_and_output);
+    } catch (const InputError& e) {
+        message = e.what();
+    }
+    EXPECT_NE(message.find("wall.eps: was 0.02, is 0.5"), std::string::npos) << message;
+    EXPECT_EQ(message.find("stop"), std::string::npos) << message;
+    EXPECT_EQ(resumed_case(out, file, {"wall.eps=0.5"}, any).material.eps, 0.5);
+}
+
+TEST(ResumedRun, WithNothingToDoIsRefusedAndChangesNothing)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.stop.steps = 2;
+    Quiet quiet;
+    const fs::path out = dir.path() / "out";
+    run_to(c, out, quiet);
+    const std::string before = read_text(out / "series.csv") + read_text(out / "case.toml");
+    EXPECT_THROW(resume(c, latest_checkpoint(out), out, quiet), InputError);
+    EXPECT_EQ(read_text(out / "series.csv") + read_text(out / "case.toml"), before);
+}
+
+TEST(LatestCheckpoint, OffersTheOneBeforeADamagedOne)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.stop.steps = 4;
+    c.checkpoint.steps = 2;
+    Quiet quiet;
+    run_to(c, dir.path() / "out", quiet);
+    const auto all = CheckpointRing::list(dir.path() / "out");
+    ASSERT_EQ(all.size(), 2u);
+    fs::resize_file(all[0], fs::file_size(all[0]) - 10);
+    std::string message;
+    try {
+        latest_checkpoint(dir.path() / "out");
+    } catch (const InputError& e) {
+        message = e.what();
+    }
+    EXPECT_NE(message.find("truncated"), std::string::npos) << message;
+    EXPECT_NE(message.find("--from " + all[1].string()), std::string::npos) << message;
+}
+
+// Short edges without the filter: the wall trembles at twice the automatic step.
+TEST(Retry, GoesOnWithHalfTheStepWithoutAGapOrADoubleRow)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.time.safety = 2;
+    c.tube.mesh_filter = 0;
+    c.tube.edge_over_spacing = 0.3;
+    c.stop.steps = 120;
+    Quiet quiet;
+    const Summary summary = run_to(c, dir.path() / "out", quiet);
+    ASSERT_FALSE(quiet.retries.empty());
+    EXPECT_EQ(quiet.retries[0].step_factor, 0.5);
+    EXPECT_NE(summary.warnings.back().find("broke down"), std::string::npos);
+    std::ifstream series(dir.path() / "out" / "series.csv");
+    std::string line;
+    std::getline(series, line);
+    Index expected = 0;
+    for (; std::getline(series, line); expected += c.output.sample_every)
+        EXPECT_EQ(line.substr(line.find(',') + 1, std::to_string(expected).size() + 1),
+                  std::to_string(expected) + ",");
+    EXPECT_EQ(expected, 130);
+}
+
+TEST(Retry, IsNotMadeWithAFixedStep)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.time.step = 3;
+    Quiet quiet;
+    EXPECT_THROW(run_to(c, dir.path() / "out", quiet), NumericalError);
+    EXPECT_TRUE(quiet.retries.empty());
+    EXPECT_EQ(latest_checkpoint(dir.path() / "out").step(), 0); // the last sound state
+}
+
+} // namespace
+} // namespace starling
