@@ -60,36 +60,17 @@ std::string header_text(const Contents& contents)
                        magic, format_version, contents.bytes, contents.crc);
 }
 
-[[noreturn]] void fail_to_write(const fs::path& path)
+/// Makes a new name in the folder durable.
+void sync_folder(const fs::path& folder)
 {
-    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
+    const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0 || fsync(file) != 0) {
+        const int reason = errno;
+        if (file >= 0) close(file);
+        throw std::runtime_error("cannot write " + folder.string() + ": " + std::strerror(reason));
+    }
+    close(file);
 }
-
-/// An open file descriptor.
-class Descriptor {
-public:
-    Descriptor(const fs::path& path, int flags) : path_(path), file_(open(path.c_str(), flags))
-    {
-        if (file_ < 0) fail_to_write(path_);
-    }
-    ~Descriptor() { close(file_); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    void write_at_begin(const std::string& text) const
-    {
-        if (pwrite(file_, text.data(), text.size(), 0) != static_cast<ssize_t>(text.size()))
-            fail_to_write(path_);
-    }
-    void sync() const
-    {
-        if (fsync(file_) != 0) fail_to_write(path_);
-    }
-
-private:
-    fs::path path_;
-    int file_;
-};
 
 /// The small numbers of a run's memory as attributes of /run.
 template <class Self, class F>
@@ -219,7 +200,14 @@ void write_hdf5(const fs::path& path, const State& state, const RunMemory& memor
     write_memory(file, memory);
     const auto* text = reinterpret_cast<const std::uint8_t*>(case_text.data());
     file.write("/case", std::span(text, case_text.size()));
-    file.flush();
+    file.save(
+        [](std::span<char> all) {
+            Crc64 crc;
+            crc.add(all.subspan(header_size));
+            const std::string header = header_text({all.size() - header_size, crc.value()});
+            std::ranges::copy(header, all.begin());
+        },
+        true);
 }
 
 bool all_finite(std::span<const Real> values)
@@ -246,14 +234,8 @@ void write_checkpoint(const fs::path& path, const State& state, const RunMemory&
     const fs::path temporary = path.string() + ".new";
     try {
         write_hdf5(temporary, state, memory, case_text);
-        std::ifstream stream(temporary, std::ios::binary);
-        stream.seekg(header_size);
-        const Contents contents = measure(stream);
-        const Descriptor file(temporary, O_RDWR | O_CLOEXEC);
-        file.write_at_begin(header_text(contents));
-        file.sync();
         fs::rename(temporary, path);
-        Descriptor(path.parent_path(), O_RDONLY | O_DIRECTORY | O_CLOEXEC).sync();
+        sync_folder(path.parent_path());
     } catch (...) {
         std::error_code none;
         fs::remove(temporary, none);

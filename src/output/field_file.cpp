@@ -107,10 +107,7 @@ xdmf::Array FrameWriter::write(Frame& frame, const std::string& name,
 void FrameWriter::end(Frame frame, Real t)
 {
     const fs::path path = options_.directory / frame.name;
-    {
-        const hdf5::File closing = std::move(frame.file);
-        closing.flush();
-    }
+    frame.file.save();
     fs::rename(path.string() + ".new", path);
     ++frames_;
     write_index();
@@ -130,7 +127,7 @@ void FrameWriter::write_index() const
         for (Index n = 0; n < frames_; ++n)
             file.link(fmt::format("/frames/{:06}", n), frame_name(name_, n));
         if (name_ == "wall") file.link(shared_array, frame_name(name_, 0), shared_array);
-        file.flush();
+        file.save();
     }
     fs::rename(temporary, path);
 }

@@ -1,5 +1,7 @@
 #include "output/hdf5_file.hpp"
 
+#include "output/replace_file.hpp"
+
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
@@ -100,20 +102,14 @@ File::File(Handle file, std::filesystem::path path, Layout layout)
 
 File File::create(const std::filesystem::path& path, Layout layout, hsize_t user_block)
 {
+    constexpr std::size_t increment = std::size_t{1} << 22;
     const Handle list = access();
+    check(H5Pset_fapl_core(list.get(), increment, false), "set up HDF5");
     const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "set up HDF5");
     check(H5Pset_userblock(creation.get(), user_block), "set up HDF5");
     return {Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), list.get()), H5Fclose,
                    "create " + path.string()),
             path, layout};
-}
-
-File File::append(const std::filesystem::path& path)
-{
-    const Handle list = access();
-    return {
-        Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, list.get()), H5Fclose, "open " + path.string()),
-        path, Layout::compressed};
 }
 
 File File::open(const std::filesystem::path& path)
@@ -279,9 +275,27 @@ void File::attribute(const std::string& path, const std::string& name, const Vec
     write_attribute(path, name, type.get(), xyz);
 }
 
-void File::flush() const
+hsize_t File::user_block() const
 {
-    check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), "write " + path_.string());
+    const Handle creation(H5Fget_create_plist(file_.get()), H5Pclose, "read " + path_.string());
+    hsize_t size = 0;
+    check(H5Pget_userblock(creation.get(), &size), "read " + path_.string());
+    return size;
+}
+
+void File::save(const std::function<void(std::span<char> all)>& prepare, bool sync) const
+{
+    const std::string what = "write " + path_.string();
+    check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL), what);
+    void* image = nullptr;
+    check(H5Fget_vfd_handle(file_.get(), H5P_DEFAULT, &image), what);
+    // without the room kept for more; counted from the end of the user block
+    const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
+    if (size < 0) fail(what);
+    const std::span<char> all(*static_cast<char**>(image),
+                              static_cast<std::size_t>(size) + user_block());
+    if (prepare) prepare(all);
+    write_bytes(path_, all, sync);
 }
 
 } // namespace starling::hdf5

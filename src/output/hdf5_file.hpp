@@ -1,6 +1,7 @@
 #pragma once
 /// The little of HDF5 that result files need: groups, arrays, attributes, links.
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -38,14 +39,13 @@ enum class Layout { compressed, contiguous };
 /// HDF5 refuses.
 class File {
 public:
-    /// Creates the file or replaces one of the same name. HDF5 leaves the first `user_block`
+    /// Creates a file in memory, to be saved at `path` (HDF5 itself may crash when it closes a file
+    /// that the disk has no room for). It leaves the first `user_block`
     /// bytes alone (0, or a power of two from 512).
     static File create(const std::filesystem::path& path, Layout layout = Layout::compressed,
                        hsize_t user_block = 0);
     /// Opens a file for reading; every write then fails.
     static File open(const std::filesystem::path& path);
-    /// Opens a file written before in order to add to it.
-    static File append(const std::filesystem::path& path);
 
     void make_group(const std::string& path);
     /// Writes values in C order as a chunked, shuffled and deflated array.
@@ -73,12 +73,16 @@ public:
     Real real_attribute(const std::string& path, const std::string& name) const;
     Index index_attribute(const std::string& path, const std::string& name) const;
     std::string text_attribute(const std::string& path, const std::string& name) const;
-    /// Hands everything to the operating system; a file killed after this is whole.
-    void flush() const;
+    /// Writes a created file, which until then is in memory only, to its path. Throws
+    /// std::runtime_error where the disk is full or the like; the memory is sound all the same.
+    /// `prepare` may fill the user block, knowing all that follows it.
+    void save(const std::function<void(std::span<char> all)>& prepare = {},
+              bool sync = false) const;
 
 private:
     File(Handle file, std::filesystem::path path, Layout layout);
     void read_raw(const std::string& path, hid_t memory_type, void* values, std::size_t size) const;
+    hsize_t user_block() const;
     Handle open_attribute(const std::string& path, const std::string& name) const;
     template <class T>
     T scalar(const std::string& path, const std::string& name, hid_t type) const;

@@ -299,6 +299,29 @@ def test_resume_damaged(directory):
     expect_same_results(directory / "whole", out)
 
 
+def test_full_disk(directory):
+    """A disk too small for the run: a message, no crash, what was written is whole; then on."""
+    disk, whole = directory / "disk", directory / "whole"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=6m", "tmpfs", disk], check=False,
+                      capture_output=True).returncode != 0:
+        print("skipped: needs the right to mount a small disk")
+        sys.exit(SKIPPED)
+    try:
+        out = disk / "out"
+        case = [*COARSE, "--set", "output.wall_every=0.05", "--set", "stop.steps=60"]
+        result = starling("run", *case, "--set", "checkpoint.steps=10", "--out", out)
+        expect_exit(result, 1)
+        expect("No space left on device" in result.stderr, result.stderr)
+        check_readable(out)
+        expect_exit(starling("run", *case, "--out", whole), 0)
+        subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
+        expect_exit(starling("resume", out), 0)
+        expect_same_results(whole, out)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
 def test_kill_at_the_end(directory):
     """Killed after the last checkpoint, before the last results: resuming writes them."""
     out = directory / "out"
