@@ -7,8 +7,8 @@ namespace starling {
 KernelPair AxialGuide::kernels() const
 {
     if (scheme_ == CouplingScheme::conserving)
-        return {Kernel::cubic_bspline, Kernel::quadratic_bspline};
-    return {Kernel::cosine, Kernel::cosine};
+        return {Kernel::cubic_bspline, Kernel::quadratic_bspline, 1.0 / 8};
+    return {Kernel::cosine, Kernel::cosine, 0};
 }
 
 void AxialGuide::constrain_force(const Tube& tube, const Geometry& geometry, Array<Vec3>& f) const

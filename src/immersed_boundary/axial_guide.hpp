@@ -18,6 +18,9 @@ public:
     bool pushes_back() const { return scheme_ != CouplingScheme::printed; }
     bool follows_normal_velocity() const { return scheme_ == CouplingScheme::conserving; }
     KernelPair kernels() const;
+    /// The rigid rows beside the clamps carry on the load, and the pressure force beside the wall
+    /// is that of the flow, not of the smeared jump.
+    bool completes_the_load() const { return scheme_ == CouplingScheme::conserving; }
 
     /// Replaces f_x of the moving vertices by the guide's reaction (or zero).
     void constrain_force(const Tube& tube, const Geometry& geometry, Array<Vec3>& f) const;

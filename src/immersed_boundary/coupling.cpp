@@ -20,13 +20,22 @@ GhostNodes make_ghosts(const Grid& g, const Tube& tube, Location c)
     return GhostNodes(g, tube, c, ghost_planes(g, tube, c));
 }
 
+/// Reach of the guide's kernels along x, if the load goes on beyond the clamps.
+Real load_reach(const Grid& g, const AxialGuide& guide)
+{
+    return guide.completes_the_load() ? guide.kernels().reach() * g.spacing().x : 0;
+}
+
 } // namespace
 
 Coupling::Coupling(const Grid& g, const Tube& tube, const Geometry& geometry, CouplingScheme scheme)
     : grid_(g), tube_(&tube), geometry_(&geometry), guide_(scheme),
-      transfer_(g, tube, guide_.kernels()), ghosts_{make_ghosts(g, tube, Location::u),
-                                                    make_ghosts(g, tube, Location::v),
-                                                    make_ghosts(g, tube, Location::w)}
+      clamp_load_(tube, load_reach(g, guide_)),
+      transfer_(g, tube, guide_.kernels(), clamp_load_.spreading_rings()),
+      // load spread by the last rigid row reaches as far again
+      pressure_force_(g, tube, load_reach(g, guide_), 2 * load_reach(g, guide_)),
+      ghosts_{make_ghosts(g, tube, Location::u), make_ghosts(g, tube, Location::v),
+              make_ghosts(g, tube, Location::w)}
 {
 }
 
@@ -43,14 +52,17 @@ bool Coupling::update(const WallState& wall, GhostStates& ghosts)
     return ghosts_[0].update(InterceptSearch(tube_->mesh, wall.x, *geometry_), ghosts[0]);
 }
 
-void Coupling::spread(Array<Vec3>& f, VectorField& F) const
+void Coupling::spread(Array<Vec3>& f, VectorField& F)
 {
     guide_.constrain_force(*tube_, *geometry_, f);
-    for (Location c : components) {
-        const View<Real> rhs = F[c].view();
-        for_each(grid_.unknowns(c), [=](Index i, Index j, Index k) { rhs(i, j, k) = 0; });
-        if (c != Location::u || guide_.pushes_back()) transfer_.spread(c, f, F[c]);
-    }
+    clamp_load_.apply(*geometry_, f);
+    for (Location c : components) transfer_.spread(c, f, F[c]);
+}
+
+void Coupling::complete_pressure_force(const GhostStates& ghosts, const ScalarField& P,
+                                       VectorField& F)
+{
+    pressure_force_.complete(ghosts[0], P, F[Location::u]);
 }
 
 PrescribedVelocity Coupling::no_slip(const VectorField& u)
@@ -64,7 +76,7 @@ PrescribedVelocity Coupling::no_slip(const VectorField& u)
     return prescribed;
 }
 
-void Coupling::follow(const VectorField& u, WallState& wall) const
+void Coupling::follow(const VectorField& u, WallState& wall)
 {
     if (guide_.follows_normal_velocity())
         transfer_.interpolate(Location::u, u[Location::u], wall.velocity);

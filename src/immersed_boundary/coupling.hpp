@@ -1,8 +1,10 @@
 #pragma once
 /// The hybrid coupling of fluid and wall, Eq. (35): the only place where the two meet in a step.
 #include "immersed_boundary/axial_guide.hpp"
+#include "immersed_boundary/clamp_load.hpp"
 #include "immersed_boundary/ghost_nodes.hpp"
 #include "immersed_boundary/transfer.hpp"
+#include "immersed_boundary/wall_pressure_force.hpp"
 
 namespace starling {
 
@@ -23,14 +25,17 @@ public:
     bool update(const WallState& wall, GhostStates& ghosts);
 
     /// F = force of the wall on the fluid at the faces; f comes in as a force on each vertex and
-    /// leaves with the axial reaction. (28)
-    void spread(Array<Vec3>& f, VectorField& F) const;
+    /// leaves with the axial reaction and the load on the rigid rows beside the clamps. (28)
+    void spread(Array<Vec3>& f, VectorField& F);
+
+    /// Makes F whole beside the wall, where it has smeared the jump of the pressure P.
+    void complete_pressure_force(const GhostStates& ghosts, const ScalarField& P, VectorField& F);
 
     /// Ghost-node values from the present velocity. (44)
     PrescribedVelocity no_slip(const VectorField& u);
 
     /// wall.velocity of the moving vertices = the fluid's velocity there, as the guide allows. (30)
-    void follow(const VectorField& u, WallState& wall) const;
+    void follow(const VectorField& u, WallState& wall);
 
     const GhostNodes& ghosts(Location c) const
     {
@@ -42,7 +47,9 @@ private:
     const Tube* tube_;
     const Geometry* geometry_;
     AxialGuide guide_;
+    ClampLoad clamp_load_;
     Transfer transfer_;
+    WallPressureForce pressure_force_;
     std::array<GhostNodes, 3> ghosts_;
 };
 

@@ -52,6 +52,10 @@ inline Stencil4 delta_weights(Kernel kernel, Real s)
 struct KernelPair {
     Kernel along = Kernel::cosine;
     Kernel across = Kernel::cosine;
+    Real sharpening = 0; ///< half the second moment taken off both, in squared spacings
+
+    /// Half width along x, in spacings.
+    Real reach() const { return sharpening > 0 ? 3 : 2; }
 };
 
 } // namespace starling

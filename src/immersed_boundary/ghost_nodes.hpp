@@ -26,7 +26,9 @@ struct GhostState {
 
 /// Keeps the set of ghost nodes of a component up to date while the wall moves (sec. 2.6) and
 /// evaluates the no-slip condition at the wall, Eqs. (31), (32), (44). A ghost node lies outside
-/// and has one of its six neighbours inside, on the grid of its own component.
+/// and has one of its six neighbours inside, on the grid of its own component. The neighbours of
+/// ghost nodes farther out are held at rest: the fluid outside meets a wall that does not move
+/// along the component, and not the ghost nodes, which continue the flow inside backwards.
 class GhostNodes {
 public:
     /// Ghost nodes live on the planes i marked in `active_planes`, one flag per plane.
@@ -42,20 +44,27 @@ public:
     /// does not settle (the wall moved too far).
     bool update(const InterceptSearch& search, GhostState& s);
 
-    /// u_GN = -sum_l beta_l u_l / (1 + beta_self) for a wall that does not move along this
-    /// component. The ghost node's own weight is eliminated: its image point's cell may contain it.
+    /// Values for a wall that does not move along this component: half of the node's own u and half
+    /// of u_GN = -(sum_l beta_l u_l - curvature)/(1 + beta_self), the quadratic continuation of the
+    /// flow inside through zero at the intercept. The ghost node's own weight is eliminated: its
+    /// image point's cell may contain it.
     void evaluate(const ScalarField& u);
 
     /// View for the momentum step; valid until the next update.
     PrescribedNodes prescribed() const;
 
-    Index count() const { return static_cast<Index>(offsets_.size()); }
+    /// Ghost nodes, without the nodes at rest.
+    Index count() const { return static_cast<Index>(ghost_index_.size()); }
 
 private:
     struct Stencil {
-        Index base;               ///< offset of the lowest of the eight nodes
-        std::array<Real, 8> beta; ///< -beta_l / (1 + beta_self), own weight zero
+        Index base;                    ///< offset of the lowest of the eight nodes
+        std::array<Real, 8> beta;      ///< -beta_l / (1 + beta_self), own weight zero
+        std::array<Real, 6> curvature; ///< weights of xx, yy, zz, yz, zx, xy second differences
+        Index place;                   ///< offset of the lowest node of the cell they are taken in
+        std::array<Real, 3> fraction;  ///< and where in it
     };
+    static constexpr std::int32_t at_rest = -1;
 
     Vec3 position(const NearNode& n) const { return grid_.position(component_, n.i, n.j, n.k); }
     bool exists(std::int32_t i, std::int32_t j, std::int32_t k) const;
@@ -70,8 +79,12 @@ private:
     void search_from_each_other(const InterceptSearch& search, GhostState& s, NearNode& n);
     Index turn_over(GhostState& s);
     void rebuild(GhostState& s);
-    void collect_ghosts(const GhostState& s);
-    Stencil make_stencil(const NearNode& n, const Vec3& image) const;
+    void mark_ghosts(const GhostState& s);
+    void make_stencils(const GhostState& s);
+    void find_nodes_at_rest(const GhostState& s);
+    void list_nodes(const GhostState& s);
+    Stencil make_stencil(const GhostState& s, const NearNode& n) const;
+    void add_curvature(const GhostState& s, const NearNode& n, Stencil& stencil) const;
 
     Grid grid_;
     const Tube* tube_;
@@ -84,9 +97,12 @@ private:
     Field<std::int32_t> index_; ///< position of a node in near_wall
     std::vector<char> suspect_; ///< per node of near_wall: may follow the wrong wall
     std::vector<NearNode> turned_, candidates_;
-    std::vector<std::size_t> ghost_index_; ///< positions of the ghosts in near_wall
-    std::vector<Index> offsets_, plane_begin_;
-    std::vector<Stencil> stencils_;
+    std::vector<std::size_t> ghost_index_;     ///< positions of the ghosts in near_wall
+    std::vector<Index> ghost_begin_;           ///< ghost at which plane i begins
+    std::vector<std::vector<Index>> resting_;  ///< per plane: offsets of the nodes at rest
+    std::vector<Index> offsets_, plane_begin_; ///< ghosts and nodes at rest together
+    std::vector<std::int32_t> source_;         ///< which ghost, or `at_rest`
+    std::vector<Stencil> stencils_;            ///< per ghost
     std::vector<Real> values_;
 };
 

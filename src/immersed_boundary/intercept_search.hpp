@@ -14,6 +14,12 @@ struct Intercept {
     bool outside = false; ///< the node lies on the outer side of the wall
 };
 
+/// From the intercept of the node at p to p, turned outward if p lies on the inner side.
+inline Vec3 outward_from_intercept(const Vec3& p, const Intercept& i)
+{
+    return (i.outside ? 1.0 : -1.0) * (p - i.point);
+}
+
 /// The wall at one time, as the search sees it. Holds references: positions and geometry must
 /// outlive it and be up to date.
 class InterceptSearch {

@@ -12,8 +12,9 @@ bool reaches(const Stencil4& s, Index plane)
 
 } // namespace
 
-Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels)
-    : grid_(g), tube_(&tube), kernels_(kernels), stencils_(static_cast<Index>(tube.X.size()))
+Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange spreading)
+    : grid_(g), tube_(&tube), kernels_(kernels), spreading_(spreading),
+      stencils_(static_cast<Index>(tube.X.size())), scratch_(g)
 {
     const Real h = g.spacing().x;
     for (Real x : tube.ring_x)
@@ -24,7 +25,7 @@ Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels)
         reach.resize(static_cast<std::size_t>(g.nx() + 1));
         for (Index i = 0; i <= g.nx(); ++i) {
             auto& range = reach[static_cast<std::size_t>(i)];
-            for (Index r = tube.clamp_in + 1; r < tube.clamp_out; ++r)
+            for (Index r = spreading.begin; r < spreading.end; ++r)
                 if (reaches(stencil_x(c, r), i)) {
                     if (range.end == 0) range.begin = r;
                     range.end = r + 1;
@@ -49,7 +50,7 @@ bool Transfer::update(const Array<Vec3>& x)
     const KernelPair kernels = kernels_;
     Index bad = 0;
 #pragma omp parallel for schedule(static) reduction(+ : bad)
-    for (Index v = tube_->moving_begin(); v < tube_->moving_end(); ++v) {
+    for (Index v = tube_->first(spreading_.begin); v < tube_->first(spreading_.end); ++v) {
         const Real s_y = (position[v].y - origin.y) * inv_y,
                    s_z = (position[v].z - origin.z) * inv_z;
         if (!(s_y > 2 && s_y < top_y && s_z > 2 && s_z < top_z)) {
@@ -62,15 +63,37 @@ bool Transfer::update(const Array<Vec3>& x)
     return bad == 0;
 }
 
-void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& rhs_field) const
+void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
 {
-    const View<Real> rhs = rhs_field.view();
+    if (kernels_.sharpening == 0) {
+        gather(c, f, F.view());
+    } else {
+        gather(c, f, scratch_.view());
+        sharpen(c, scratch_.view(), F.view());
+    }
+}
+
+void Transfer::sharpen(Location c, View<const Real> from, View<Real> to) const
+{
+    const Real a = kernels_.sharpening, centre = 1 + 6 * a;
+    for_each(grid_.unknowns(c), [=](Index i, Index j, Index k) {
+        to(i, j, k) = centre * from(i, j, k) -
+                      a * (from(i - 1, j, k) + from(i + 1, j, k) + from(i, j - 1, k) +
+                           from(i, j + 1, k) + from(i, j, k - 1) + from(i, j, k + 1));
+    });
+}
+
+void Transfer::gather(Location c, const Array<Vec3>& f, View<Real> F) const
+{
+    // all of it: what is sharpened reads one node beyond the unknowns
+    const Box all{{-1, -1, -1}, {grid_.nx() + 2, grid_.ny() + 1, grid_.nz() + 1}};
+    for_each(all, [=](Index i, Index j, Index k) { F(i, j, k) = 0; });
     const Real inv_volume = 1 / grid_.cell_volume();
     const auto& reach = reach_[c == Location::u];
     const auto component = [c](const Vec3& a) {
         return c == Location::u ? a.x : c == Location::v ? a.y : a.z;
     };
-    for_range(0, static_cast<Index>(reach.size()), [&, rhs](Index i) {
+    for_range(0, static_cast<Index>(reach.size()), [&, F](Index i) {
         const RingRange range = reach[static_cast<std::size_t>(i)];
         for (Index ring = range.begin; ring < range.end; ++ring) {
             const Stencil4& sx = stencil_x(c, ring);
@@ -79,7 +102,7 @@ void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& rhs_field) 
                 const Stencil4 &sy = stencil_y(c, stencils_[v]), &sz = stencil_z(c, stencils_[v]);
                 const Real force = weight_x * component(f[v]);
                 for (std::size_t m = 0; m < 4; ++m) {
-                    Real* row = &rhs(i, sy.first + static_cast<Index>(m), sz.first);
+                    Real* row = &F(i, sy.first + static_cast<Index>(m), sz.first);
                     const Real a = force * sy.weight[m];
                     for (std::size_t n = 0; n < 4; ++n) row[n] += a * sz.weight[n];
                 }
@@ -88,9 +111,10 @@ void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& rhs_field) 
     });
 }
 
-void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity) const
+void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity)
 {
-    const View<const Real> u = u_field.view();
+    if (kernels_.sharpening != 0) sharpen(c, u_field.view(), scratch_.view());
+    const View<const Real> u = kernels_.sharpening != 0 ? scratch_.view() : u_field.view();
     Vec3* out = velocity.data();
     for_range(tube_->moving_begin(), tube_->moving_end(), [&, u, out](Index v) {
         const Stencil4& sx = stencil_x(c, v / tube_->ring_size);

@@ -22,6 +22,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     if (!op.coupling.update(s.wall, s.ghosts)) return false;          // GN, IE, BI, IP  sec. 2.6
     w.mark(Phase::ghost_search);
     op.coupling.spread(w.f, w.F);                                     // F               (28), (35)
+    op.coupling.complete_pressure_force(s.ghosts, s.fluid.P, w.F);    //   beside the wall
     w.mark(Phase::spread);
     // 2. Intermediate velocity
     const PrescribedVelocity u_GN = op.coupling.no_slip(s.fluid.u);   // u_GN            (32), (44)

@@ -7,6 +7,11 @@
 
 namespace starling {
 
+/// Rings [begin, end).
+struct RingRange {
+    Index begin = 0, end = 0;
+};
+
 /// A triangulated tube of radius 1 about the x axis. Vertices are numbered ring by ring with
 /// ascending x: vertex = ring * ring_size + position. Vertices never leave their x.
 struct Tube {
@@ -21,6 +26,7 @@ struct Tube {
     /// Range of vertices that may move (empty for a rigid tube).
     VertexIndex moving_begin() const { return first(clamp_in + 1); }
     VertexIndex moving_end() const { return std::max(moving_begin(), first(clamp_out)); }
+    RingRange moving_rings() const { return {clamp_in + 1, std::max(clamp_in + 1, clamp_out)}; }
     Real x_clamp_in() const { return ring_x[static_cast<std::size_t>(clamp_in)]; }
     Real x_clamp_out() const { return ring_x[static_cast<std::size_t>(clamp_out)]; }
 };

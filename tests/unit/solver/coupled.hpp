@@ -34,7 +34,7 @@ struct Coupled {
              {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
           w(g, tube), s(g, tube)
     {
-        s.dt = 8 * 0.02 * g.delta();
+        s.dt = 5 * 0.02 * g.delta();
         initialise(s, op);
     }
     /// Steps; false as soon as one fails.

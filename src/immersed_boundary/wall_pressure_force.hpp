@@ -1,0 +1,44 @@
+#pragma once
+/// The axial pressure force on the fluid beside the wall, where kernels smear the pressure jump.
+#include "grid/field.hpp"
+#include "immersed_boundary/ghost_nodes.hpp"
+
+namespace starling {
+
+/// Spreading smears the jump [P] of the pressure over the kernel's width: P = P_ext + [P] H with a
+/// smooth H. The wall's force balances [P] grad H and leaves H d[P]/dx: beside the wall the flow
+/// inside feels only a part of the axial gradient, from one half at the wall to all of it at the
+/// kernel's reach, and where the smearing begins (at the clamps, where the ghost nodes of v and w
+/// take over) it feels what is missing all at once. The true force is that of the flow beyond the
+/// kernel's reach: it is taken from there, along the wall's normal. Derivation: docs/numerics.md.
+class WallPressureForce {
+public:
+    /// Acts between `reach` before the inlet clamp and `reach` behind the outlet clamp (R_0), with
+    /// the force found at `depth` (R_0) from the wall. A depth of 0 leaves all as it is.
+    WallPressureForce(const Grid& g, const Tube& tube, Real depth, Real reach);
+
+    /// Makes dP/dx - F at the inside u-faces next to ghost nodes that of the flow farther inside,
+    /// by changing F. Faces from whose ghosts no fluid is found (narrow channels) are left alone.
+    void complete(const GhostState& ghosts, const ScalarField& P, ScalarField& F);
+
+private:
+    struct Probe {
+        View<const std::uint8_t> inside;
+        View<const Real> P, F;
+    };
+    Real net_gradient(const Probe& s, Index i, Index j, Index k) const
+    {
+        return (s.P(i, j, k) - s.P(i - 1, j, k)) / grid_.spacing().x - s.F(i, j, k);
+    }
+    bool acts_on(const NearNode& n) const;
+    Real gradient_beyond(const Probe& s, const NearNode& ghost) const;
+    Real missing_force(const Probe& s, const NearNode& n) const;
+
+    static constexpr Real none = std::numeric_limits<Real>::max();
+    Grid grid_;
+    Real depth_, x_begin_, x_end_;
+    ScalarField beyond_; ///< at ghost nodes: net gradient of the flow farther inside, or none
+    std::vector<Real> missing_; ///< per near node
+};
+
+} // namespace starling
