@@ -49,6 +49,11 @@ Real WallPressureForce::gradient_beyond(const Probe& s, const NearNode& ghost) c
     const auto [j, b] = locate(probe.y / h.y);
     const auto [k, c] = locate(probe.z / h.z);
     if (i < 1 || i + 1 >= grid_.nx()) return none;
+    // the opposite wall must be as far from the probe
+    const Vec3 opposite = probe - (depth_ / distance) * outward;
+    if (!s.inside(std::clamp<Index>(std::lround(opposite.x / h.x), 0, grid_.nx()),
+                  std::lround(opposite.y / h.y), std::lround(opposite.z / h.z)))
+        return none;
     Real sum = 0;
     for (Index l = 0; l < 8; ++l) {
         const Index di = l / 4, dj = l / 2 % 2, dk = l % 2;

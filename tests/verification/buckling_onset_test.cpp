@@ -18,7 +18,7 @@ Case near_onset(Real load)
     c.material.eps = 0.005;
     c.material.bending = 1e-3;
     c.perturbation = {.amplitude = 1e-3, .mode = 3};
-    c.grid.spacing = 0.25;
+    c.grid.spacing = 0.2;
     c.drive.pressure_outlet = -c.baseline_pressure_drop();
     const auto theory = buckling_report({c.tube, c.material, c.fluid, c.drive});
     EXPECT_EQ(theory->under_own_pressure->n, 3);

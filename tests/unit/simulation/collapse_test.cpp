@@ -20,8 +20,8 @@ Case flattened(Real contact)
     c.material.bending = 0.01;
     c.material.contact = contact;
     c.perturbation = {.amplitude = 0.2, .mode = 2};
-    c.grid.spacing = 0.28;
-    c.drive.pressure_outlet = -30 * c.baseline_pressure_drop();
+    c.grid.spacing = 0.25;
+    c.drive.pressure_outlet = -12 * c.baseline_pressure_drop();
     return c;
 }
 
@@ -47,7 +47,7 @@ TEST(Collapse, EndsCleanlyWhereOppositeWallsTouch)
 
 TEST(Collapse, GoesOnWhereARepulsionKeepsTheWallsApart)
 {
-    Simulation simulation(flattened(3));
+    Simulation simulation(flattened(10));
     for (int n = 0; n < 400; ++n) simulation.step(forever);
     const Sample s = simulation.sample();
     EXPECT_EQ(s.lobes, 2);
