@@ -32,10 +32,9 @@ Coupling::Coupling(const Grid& g, const Tube& tube, const Geometry& geometry, Co
     : grid_(g), tube_(&tube), geometry_(&geometry), guide_(scheme),
       clamp_load_(tube, load_reach(g, guide_)),
       transfer_(g, tube, guide_.kernels(), clamp_load_.spreading_rings()),
-      // load spread by the last rigid row reaches as far again
-      pressure_force_(g, tube, load_reach(g, guide_), 2 * load_reach(g, guide_)),
-      ghosts_{make_ghosts(g, tube, Location::u), make_ghosts(g, tube, Location::v),
-              make_ghosts(g, tube, Location::w)}
+      pressure_force_(g, tube, load_reach(g, guide_)), ghosts_{make_ghosts(g, tube, Location::u),
+                                                               make_ghosts(g, tube, Location::v),
+                                                               make_ghosts(g, tube, Location::w)}
 {
 }
 

@@ -2,9 +2,8 @@
 
 namespace starling {
 
-WallPressureForce::WallPressureForce(const Grid& g, const Tube& tube, Real depth, Real reach)
-    : grid_(g), depth_(depth), x_begin_(tube.x_clamp_in() - reach),
-      x_end_(tube.x_clamp_out() + reach), beyond_(g)
+WallPressureForce::WallPressureForce(const Grid& g, const Tube& tube, Real depth)
+    : grid_(g), depth_(depth), x_begin_(tube.x_clamp_in()), x_end_(tube.x_clamp_out()), beyond_(g)
 {
 }
 

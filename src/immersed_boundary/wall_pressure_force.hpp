@@ -13,9 +13,10 @@ namespace starling {
 /// kernel's reach: it is taken from there, along the wall's normal. Derivation: docs/numerics.md.
 class WallPressureForce {
 public:
-    /// Acts between `reach` before the inlet clamp and `reach` behind the outlet clamp (R_0), with
-    /// the force found at `depth` (R_0) from the wall. A depth of 0 leaves all as it is.
-    WallPressureForce(const Grid& g, const Tube& tube, Real depth, Real reach);
+    /// Acts between the clamps, with the force found at `depth` (R_0) from the wall; 0 leaves all
+    /// as it is. Not in the rigid part: ghost nodes hold all components there, and with a force
+    /// that no longer depends on the pressure beside it nothing would hold that pressure.
+    WallPressureForce(const Grid& g, const Tube& tube, Real depth);
 
     /// Makes dP/dx - F at the inside u-faces next to ghost nodes that of the flow farther inside,
     /// by changing F. Faces from whose ghosts no fluid is found (narrow channels) are left alone.
