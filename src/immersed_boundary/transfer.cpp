@@ -1,8 +1,12 @@
 #include "immersed_boundary/transfer.hpp"
 
+#include <limits>
+
 namespace starling {
 
 namespace {
+
+constexpr std::int32_t max_index = std::numeric_limits<std::int32_t>::max();
 
 bool reaches(const Stencil4& s, Index plane)
 {
@@ -32,6 +36,11 @@ Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRang
                 }
         }
     }
+    reached_.begin[0] = reached_.end[0] = 0;
+    if (spreading.begin < spreading.end) {
+        reached_.begin[0] = stencil_x(Location::cell, spreading.begin).first;
+        reached_.end[0] = stencil_x(Location::u, spreading.end - 1).first + 4;
+    }
 }
 
 const Stencil4& Transfer::stencil_x(Location c, Index ring) const
@@ -49,7 +58,9 @@ bool Transfer::update(const Array<Vec3>& x)
     const Vec3* position = x.data();
     const KernelPair kernels = kernels_;
     Index bad = 0;
-#pragma omp parallel for schedule(static) reduction(+ : bad)
+    std::int32_t y_low = max_index, y_high = 0, z_low = max_index, z_high = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : y_low, z_low) \
+    reduction(max : y_high, z_high)
     for (Index v = tube_->first(spreading_.begin); v < tube_->first(spreading_.end); ++v) {
         const Real s_y = (position[v].y - origin.y) * inv_y,
                    s_z = (position[v].z - origin.z) * inv_z;
@@ -57,26 +68,49 @@ bool Transfer::update(const Array<Vec3>& x)
             ++bad;
             continue;
         }
-        stencils[v] = {delta_weights(kernels.across, s_y - 0.5), delta_weights(kernels.along, s_y),
-                       delta_weights(kernels.across, s_z - 0.5), delta_weights(kernels.along, s_z)};
+        VertexStencils& s = stencils[v];
+        s = {delta_weights(kernels.across, s_y - 0.5), delta_weights(kernels.along, s_y),
+             delta_weights(kernels.across, s_z - 0.5), delta_weights(kernels.along, s_z)};
+        y_low = std::min(y_low, s.y_cell.first);
+        y_high = std::max(y_high, s.y_face.first);
+        z_low = std::min(z_low, s.z_cell.first);
+        z_high = std::max(z_high, s.z_face.first);
     }
+    reached_.begin = {reached_.begin[0], y_low, z_low};
+    reached_.end = {reached_.end[0], y_high + 4, z_high + 4};
     return bad == 0;
+}
+
+Box Transfer::support(Location c, Index margin) const
+{
+    const Box all = grid_.unknowns(c);
+    Box b = reached_;
+    for (std::size_t d = 0; d < 3; ++d) {
+        b.begin[d] = std::max(b.begin[d] - margin, all.begin[d]);
+        b.end[d] = std::min(b.end[d] + margin, all.end[d]);
+    }
+    return b;
 }
 
 void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
 {
-    if (kernels_.sharpening == 0) {
-        gather(c, f, F.view());
-    } else {
-        gather(c, f, scratch_.view());
-        sharpen(c, scratch_.view(), F.view());
-    }
+    const View<Real> out = F.view();
+    for_each(grid_.unknowns(c), [=](Index i, Index j, Index k) { out(i, j, k) = 0; });
+    if (kernels_.sharpening == 0) return gather(c, f, out);
+    const View<Real> blunt = scratch_.view();
+    const Box b = support(c, 1);
+    // one node more than the box: what is sharpened reads its neighbours
+    for_each({{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
+              {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}},
+             [=](Index i, Index j, Index k) { blunt(i, j, k) = 0; });
+    gather(c, f, blunt);
+    sharpen(b, blunt, out);
 }
 
-void Transfer::sharpen(Location c, View<const Real> from, View<Real> to) const
+void Transfer::sharpen(const Box& b, View<const Real> from, View<Real> to) const
 {
     const Real a = kernels_.sharpening, centre = 1 + 6 * a;
-    for_each(grid_.unknowns(c), [=](Index i, Index j, Index k) {
+    for_each(b, [=](Index i, Index j, Index k) {
         to(i, j, k) = centre * from(i, j, k) -
                       a * (from(i - 1, j, k) + from(i + 1, j, k) + from(i, j - 1, k) +
                            from(i, j + 1, k) + from(i, j, k - 1) + from(i, j, k + 1));
@@ -85,9 +119,6 @@ void Transfer::sharpen(Location c, View<const Real> from, View<Real> to) const
 
 void Transfer::gather(Location c, const Array<Vec3>& f, View<Real> F) const
 {
-    // all of it: what is sharpened reads one node beyond the unknowns
-    const Box all{{-1, -1, -1}, {grid_.nx() + 2, grid_.ny() + 1, grid_.nz() + 1}};
-    for_each(all, [=](Index i, Index j, Index k) { F(i, j, k) = 0; });
     const Real inv_volume = 1 / grid_.cell_volume();
     const auto& reach = reach_[c == Location::u];
     const auto component = [c](const Vec3& a) {
@@ -113,7 +144,7 @@ void Transfer::gather(Location c, const Array<Vec3>& f, View<Real> F) const
 
 void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity)
 {
-    if (kernels_.sharpening != 0) sharpen(c, u_field.view(), scratch_.view());
+    if (kernels_.sharpening != 0) sharpen(support(c, 0), u_field.view(), scratch_.view());
     const View<const Real> u = kernels_.sharpening != 0 ? scratch_.view() : u_field.view();
     Vec3* out = velocity.data();
     for_range(tube_->moving_begin(), tube_->moving_end(), [&, u, out](Index v) {

@@ -41,7 +41,8 @@ private:
         Stencil4 x_cell, x_face;
     };
     void gather(Location c, const Array<Vec3>& f, View<Real> F) const;
-    void sharpen(Location c, View<const Real> from, View<Real> to) const;
+    void sharpen(const Box& b, View<const Real> from, View<Real> to) const;
+    Box support(Location c, Index margin) const;
     const Stencil4& stencil_x(Location c, Index ring) const;
     const Stencil4& stencil_y(Location c, const VertexStencils& s) const
     {
@@ -59,6 +60,7 @@ private:
     std::vector<RingStencils> ring_stencils_;     ///< x never changes: computed once
     std::array<std::vector<RingRange>, 2> reach_; ///< rings that reach a plane; 0: cells, 1: faces
     Array<VertexStencils> stencils_;
+    Box reached_;         ///< nodes of any component that some stencil reaches
     ScalarField scratch_; ///< what is to be sharpened, or has been; zero halos
 };
 
