@@ -1,5 +1,6 @@
 #include "immersed_boundary/ghost_nodes.hpp"
 
+#include "immersed_boundary/bracket.hpp"
 #include "wall/cross_section.hpp"
 
 namespace starling {
@@ -15,13 +16,6 @@ bool in_memory_order(const NearNode& a, const NearNode& b)
 bool same_node(const NearNode& a, const NearNode& b)
 {
     return a.i == b.i && a.j == b.j && a.k == b.k;
-}
-
-/// Node below coordinate s (in spacings), of `nodes` in a row, and the fraction towards the next.
-std::pair<Index, Real> bracket(Real s, Index nodes)
-{
-    const Index cell = std::clamp<Index>(static_cast<Index>(std::floor(s)), 0, nodes - 2);
-    return {cell, s - static_cast<Real>(cell)};
 }
 
 /// First and last of the nodes beside those between which a fraction s is taken; a node without
@@ -140,8 +134,9 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     stencils_.reserve(room);
     suspect_.reserve(room);
     values_.reserve(room);
-    for (auto& plane : resting_)
-        plane.reserve(static_cast<std::size_t>(nodes_.end[1] * nodes_.end[2]));
+    // the neighbours of a section's outline, from its plane and the two beside it
+    const auto outline = static_cast<std::size_t>(16 * (nodes_.end[1] + nodes_.end[2]));
+    for (auto& plane : resting_) plane.reserve(outline);
     beside_rigid_wall_.assign(active_planes_.size(), 0); // search everywhere once
     update(search, s);
     const Real reach = 3 * std::max({grid_.spacing().x, grid_.spacing().y, grid_.spacing().z});
@@ -362,9 +357,9 @@ GhostNodes::Stencil GhostNodes::make_stencil(const GhostState& state, const Near
 {
     const Vec3 origin = grid_.position(component_, 0, 0, 0), h = grid_.spacing();
     const Vec3 image = 2 * n.intercept.point - position(n) - origin;
-    const auto [i, a] = bracket(image.x / h.x, nodes_.end[0]);
-    const auto [j, b] = bracket(image.y / h.y, nodes_.end[1]);
-    const auto [k, c] = bracket(image.z / h.z, nodes_.end[2]);
+    const auto [i, a] = bracket(image.x / h.x, 0, nodes_.end[0] - 1);
+    const auto [j, b] = bracket(image.y / h.y, 0, nodes_.end[1] - 1);
+    const auto [k, c] = bracket(image.z / h.z, 0, nodes_.end[2] - 1);
     const auto view = mask_.view();
     const Index self = view.offset(n.i, n.j, n.k);
     Stencil s{view.offset(i, j, k), {}, {}, 0, {a, b, c}};
@@ -402,9 +397,9 @@ void GhostNodes::add_curvature(const GhostState& state, const NearNode& n, Stenc
     const Vec3 outward = outward_from_intercept(position(n), n.intercept);
     Vec3 p = n.intercept.point - (depth * h.x / distance) * outward - origin;
     p.x = std::clamp(p.x, h.x, static_cast<Real>(nodes_.end[0] - 2) * h.x); // not beyond the ends
-    const auto [i, a] = bracket(p.x / h.x, nodes_.end[0] - 1);
-    const auto [j, b] = bracket(p.y / h.y, nodes_.end[1]);
-    const auto [k, c] = bracket(p.z / h.z, nodes_.end[2]);
+    const auto [i, a] = bracket(p.x / h.x, 0, nodes_.end[0] - 2);
+    const auto [j, b] = bracket(p.y / h.y, 0, nodes_.end[1] - 1);
+    const auto [k, c] = bracket(p.z / h.z, 0, nodes_.end[2] - 1);
     const auto inside = state.inside.view();
     const auto [x_first, x_last] = neighbours_of_cell(i, a);
     const auto [y_first, y_last] = neighbours_of_cell(j, b);

@@ -1,16 +1,10 @@
 #include "immersed_boundary/section_flow.hpp"
 
+#include "immersed_boundary/bracket.hpp"
+
 namespace starling {
 
 namespace {
-
-/// Index of the node below coordinate s (in spacings) and the fraction towards the next; the two
-/// nodes are kept within [low, high].
-std::pair<Index, Real> bracket(Real s, Index low, Index high)
-{
-    const Index n = std::clamp<Index>(static_cast<Index>(std::floor(s)), low, high - 1);
-    return {n, s - static_cast<Real>(n)};
-}
 
 /// Mean over a face of the velocity with the value u(i, j, k) in its centre, to fourth order.
 Real cell_mean(View<const Real> u, Index i, Index j, Index k)

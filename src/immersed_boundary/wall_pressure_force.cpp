@@ -1,5 +1,7 @@
 #include "immersed_boundary/wall_pressure_force.hpp"
 
+#include "immersed_boundary/bracket.hpp"
+
 namespace starling {
 
 WallPressureForce::WallPressureForce(const Grid& g, const Tube& tube, Real depth)
@@ -40,13 +42,9 @@ Real WallPressureForce::gradient_beyond(const Probe& s, const NearNode& ghost) c
     if (!acts_on(ghost) || distance < 1e-9 * h.x) return none;
     const Vec3 probe = ghost.intercept.point - (depth_ / distance) * outward -
                        grid_.position(Location::u, 0, 0, 0);
-    const auto locate = [](Real t) {
-        const Real floor = std::floor(t);
-        return std::pair{static_cast<Index>(floor), t - floor};
-    };
-    const auto [i, a] = locate(probe.x / h.x);
-    const auto [j, b] = locate(probe.y / h.y);
-    const auto [k, c] = locate(probe.z / h.z);
+    const auto [i, a] = bracket(probe.x / h.x, 0, grid_.nx());
+    const auto [j, b] = bracket(probe.y / h.y, 0, grid_.ny() - 1);
+    const auto [k, c] = bracket(probe.z / h.z, 0, grid_.nz() - 1);
     if (i < 1 || i + 1 >= grid_.nx()) return none;
     // the opposite wall must be as far from the probe
     const Vec3 opposite = probe - (depth_ / distance) * outward;
