@@ -31,8 +31,9 @@ InputError::InputError(const std::string& message)
 {
 }
 
-NumericalError::NumericalError(const std::string& what_when_and_where, const std::string& remedy)
-    : std::runtime_error(what_when_and_where + "\n  try: " + remedy)
+NumericalError::NumericalError(const std::string& what_when_and_where, const std::string& remedy,
+                               const Breakdown& breakdown)
+    : std::runtime_error(what_when_and_where + "\n  try: " + remedy), breakdown_(breakdown)
 {
 }
 

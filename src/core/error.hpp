@@ -1,5 +1,6 @@
 #pragma once
 /// The kinds of failure a user can meet; `app` maps them to exit codes.
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,11 +29,23 @@ private:
     std::vector<Problem> problems_;
 };
 
+/// What a program can use of a breakdown; the message is for people.
+struct Breakdown {
+    std::optional<Vec3> place;       ///< where it began (solver units)
+    bool shorter_step_helps = false; ///< false: of the geometry, which a shorter step meets again
+};
+
 /// The computation cannot go on (exit code 3): what happened, with when and where in the units of
 /// the case where it has a time and a place, and what to try.
 class NumericalError : public std::runtime_error {
 public:
-    NumericalError(const std::string& what_when_and_where, const std::string& remedy);
+    NumericalError(const std::string& what_when_and_where, const std::string& remedy,
+                   const Breakdown& breakdown = {});
+
+    const Breakdown& breakdown() const { return breakdown_; }
+
+private:
+    Breakdown breakdown_;
 };
 
 } // namespace starling

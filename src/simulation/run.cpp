@@ -122,13 +122,15 @@ private:
         files_.summary(summary(std::string("numerical error: ") + e.what(), false));
     }
 
-    /// With an automatic step a breakdown is tried again from the last sound state with half of it.
+    /// With an automatic step a breakdown is tried again from the last sound state with half of it,
+    /// unless it is one of the geometry, which half the step meets as well.
     void step_or_retry()
     {
         try {
             step();
         } catch (const NumericalError& e) {
-            if (case_.time.step || retries_ == most_retries) throw;
+            const bool helps = e.breakdown().shorter_step_helps && !case_.time.step;
+            if (!helps || retries_ == most_retries) throw;
             ++retries_;
             simulation_.back_to_good();
             RunMemory m = good_memory_;

@@ -35,8 +35,12 @@ TEST(Collapse, EndsCleanlyWhereOppositeWallsTouch)
         FAIL() << "the walls have not met";
     } catch (const NumericalError& e) {
         const std::string message = e.what();
-        for (const char* words : {"opposite walls touch at x = ", "wall.contact"})
+        for (const char* words :
+             {"opposite walls touch at x = ", "theta = ", "(vertex ", "wall.contact"})
             EXPECT_NE(message.find(words), std::string::npos) << message;
+        EXPECT_FALSE(e.breakdown().shorter_step_helps);
+        ASSERT_TRUE(e.breakdown().place.has_value());
+        EXPECT_NEAR(e.breakdown().place->x, pi, 2); // of a tube of length 2 pi
     }
     simulation.back_to_good();
     const Sample s = simulation.sample();

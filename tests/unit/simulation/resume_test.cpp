@@ -194,6 +194,25 @@ TEST(Retry, GoesOnWithHalfTheStepWithoutAGapOrADoubleRow)
     EXPECT_EQ(expected, 130);
 }
 
+TEST(Retry, IsNotMadeWhereWallsMeet)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.tube = {.length = 2 * pi, .rigid_inlet = 0.6, .rigid_outlet = 0.6};
+    c.material.eps = 0.005;
+    c.material.bending = 0.01;
+    c.perturbation = {.amplitude = 0.2, .mode = 2};
+    c.grid = {};
+    c.grid.spacing = 0.25;
+    c.drive.pressure_inlet = 0;
+    c.drive.pressure_outlet = -6 * c.baseline_pressure_drop();
+    c.stop.steps = 600;
+    Quiet quiet;
+    EXPECT_THROW(run_to(c, dir.path() / "out", quiet), NumericalError);
+    EXPECT_TRUE(quiet.retries.empty());
+    EXPECT_GE(latest_checkpoint(dir.path() / "out").step(), 50); // the last sound state
+}
+
 TEST(Retry, IsNotMadeWithAFixedStep)
 {
     TemporaryDirectory dir;
