@@ -65,6 +65,34 @@ void add_resume(CLI::App& app, CommandLine& line)
     resume->footer("Stop criteria and output may be changed: --set stop.end_time=20.");
 }
 
+/// What reads results.
+void add_readers(CLI::App& app, CommandLine& line)
+{
+    CLI::App* info = app.add_subcommand(
+        "info", "Print what a run directory or one of its files holds, and whether it is whole");
+    info->add_option("path", line.directory, "Directory of a run, a checkpoint or a frame")
+        ->option_text("DIR|FILE")
+        ->required();
+    info->footer("Exit code 2 where a file is damaged.");
+    CLI::App* exports = app.add_subcommand(
+        "export", "Write the wall or the fluid at one time as .vtp, .vti or .csv");
+    exports->add_option("path", line.directory, "Directory of a run, or a frame")
+        ->option_text("DIR|FILE")
+        ->required();
+    exports
+        ->add_option("--out", line.export_file,
+                     "File to write: the wall to .vtp, the fluid to .vti, either to .csv")
+        ->option_text("FILE")
+        ->required();
+    exports
+        ->add_option("--time", line.time,
+                     "Time in the units of the results; the frame nearest to it is taken [last]")
+        ->option_text("T");
+    exports->add_option("--what", line.what, "wall or fluid [by FILE; wall for .csv]")
+        ->check(CLI::IsMember({"wall", "fluid"}));
+    exports->add_flag("--force", line.force, "Replace FILE");
+}
+
 void add_others(CLI::App& app, CommandLine& line)
 {
     CLI::App* check = app.add_subcommand(
@@ -80,6 +108,7 @@ void add_others(CLI::App& app, CommandLine& line)
         ->check(CLI::IsMember({"profile", "buckling", "tube-law"}));
     CLI::App* cases = app.add_subcommand("cases", "List the shipped cases, or print one");
     cases->add_option("name", line.name, "Case to print")->option_text("NAME");
+    add_readers(app, line);
     CLI::App* plot = app.add_subcommand("plot", "Draw the results of a run as PNG pictures");
     plot->add_option("directory", line.directory, "Directory that a run has written")
         ->option_text("DIR")

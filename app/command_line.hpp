@@ -10,7 +10,7 @@ struct CommandLine {
     std::string command;                ///< name of the subcommand
     std::string case_file;              ///< run, check, theory
     std::vector<std::string> overrides; ///< "section.key=value"
-    std::string directory;              ///< run --out, resume, plot
+    std::string directory;              ///< run --out, resume, plot; info, export: or a file
     std::string name;                   ///< cases NAME; may be empty
     std::string checkpoint;             ///< resume --from; may be empty
     int threads = 0;                    ///< 0: as many as OpenMP offers
@@ -18,6 +18,9 @@ struct CommandLine {
     bool quiet = false;
     std::string csv;             ///< theory --csv: "profile", "buckling", "tube-law"; empty: text
     bool accept_changes = false; ///< resume
+    std::string export_file;     ///< export --out
+    std::string time;            ///< export --time; empty: the last
+    std::string what;            ///< export --what: "wall", "fluid"; empty: by the file's name
 };
 
 /// Thrown after --help or --version has been answered.

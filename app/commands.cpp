@@ -8,6 +8,7 @@
 #include "console.hpp"
 #include "core/error.hpp"
 #include "environment.hpp"
+#include "readers.hpp"
 #include "report.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/resume.hpp"
@@ -112,6 +113,19 @@ void plot_command(const CommandLine& line)
     run_python_tool("plot_run.py", {line.directory});
 }
 
+void info_command(const CommandLine& line)
+{
+    const Info info = describe_path(line.directory);
+    fmt::print("{}", info.text);
+    if (!info.whole) throw InputError(line.directory + ": not everything is whole");
+}
+
+void export_command(const CommandLine& line)
+{
+    fmt::print("{}",
+               export_frame({line.directory, line.export_file, line.what, line.time, line.force}));
+}
+
 } // namespace
 
 void execute(const CommandLine& line)
@@ -126,6 +140,10 @@ void execute(const CommandLine& line)
         theory_command(line);
     else if (line.command == "cases")
         cases_command(line);
+    else if (line.command == "info")
+        info_command(line);
+    else if (line.command == "export")
+        export_command(line);
     else if (line.command == "plot")
         plot_command(line);
 }

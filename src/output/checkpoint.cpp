@@ -6,13 +6,12 @@
 #include <cmath>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "output/crc64.hpp"
+#include "output/sealed_file.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 
@@ -22,42 +21,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t header_size = 512;
-constexpr int format_version = 1;
-constexpr const char* magic = "Starling checkpoint\n";
+constexpr Seal checkpoint_seal = {"checkpoint", 1, "docs/checkpoints.md"};
 constexpr std::array<const char*, 3> component_names = {"u", "v", "w"};
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
     throw InputError(path.string() + ": " + reason);
-}
-
-/// Size and checksum of all that follows the header.
-struct Contents {
-    std::uintmax_t bytes = 0;
-    std::uint64_t crc = 0;
-};
-
-Contents measure(std::istream& stream)
-{
-    Contents contents;
-    Crc64 crc;
-    std::vector<char> buffer(std::size_t{1} << 20);
-    while (stream) {
-        stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-        const auto count = static_cast<std::size_t>(stream.gcount());
-        crc.add({buffer.data(), count});
-        contents.bytes += count;
-    }
-    contents.crc = crc.value();
-    return contents;
-}
-
-std::string header_text(const Contents& contents)
-{
-    return fmt::format("{}format_version {}\nbytes {}\ncrc64 {:016x}\n"
-                       "An HDF5 file follows these 512 bytes: docs/checkpoints.md\n",
-                       magic, format_version, contents.bytes, contents.crc);
 }
 
 /// Makes a new name in the folder durable.
@@ -153,7 +122,7 @@ void read_ghosts(const hdf5::File& file, GhostState& s, const std::string& group
 {
     file.read(group + "/inside",
               {s.inside.values().data(), static_cast<std::size_t>(s.inside.values().size())});
-    const std::size_t count = file.shape(group + "/element").at(0);
+    const std::size_t count = file.size(group + "/element");
     std::vector<std::int32_t> node(3 * count), element(count);
     std::vector<std::uint8_t> outside(count);
     std::vector<Real> point(3 * count), squared_distance(count);
@@ -189,9 +158,9 @@ void write_memory(hdf5::File& file, const RunMemory& m)
 void write_hdf5(const fs::path& path, const State& state, const RunMemory& memory,
                 const std::string& case_text)
 {
-    hdf5::File file = hdf5::File::create(path, hdf5::Layout::contiguous, header_size);
+    hdf5::File file = hdf5::File::create(path, hdf5::Layout::contiguous, seal_size);
     file.attribute("/", "format", std::string("starling checkpoint"));
-    file.attribute("/", "format_version", Index{format_version});
+    file.attribute("/", "format_version", Index{checkpoint_seal.version});
     file.attribute("/", "version", version());
     file.attribute("/", "units", std::string("dimensionless: R_0, U_c, rho"));
     write_state(file, state);
@@ -200,14 +169,7 @@ void write_hdf5(const fs::path& path, const State& state, const RunMemory& memor
     write_memory(file, memory);
     const auto* text = reinterpret_cast<const std::uint8_t*>(case_text.data());
     file.write("/case", std::span(text, case_text.size()));
-    file.save(
-        [](std::span<char> all) {
-            Crc64 crc;
-            crc.add(all.subspan(header_size));
-            const std::string header = header_text({all.size() - header_size, crc.value()});
-            std::ranges::copy(header, all.begin());
-        },
-        true);
+    save_sealed(file, checkpoint_seal, true);
 }
 
 bool all_finite(std::span<const Real> values)
@@ -245,37 +207,13 @@ void write_checkpoint(const fs::path& path, const State& state, const RunMemory&
 
 CheckpointFile::CheckpointFile(const fs::path& path) : path_(path)
 {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) refuse(path, "no such checkpoint");
-    std::ifstream stream(path, std::ios::binary);
-    std::string header(header_size, '\0');
-    stream.read(header.data(), header_size);
-    if (!stream && stream.gcount() == 0 && fs::file_size(path, error) > 0)
-        refuse(path, "cannot be read");
-    header = header.substr(0, header.find('\0'));
-    if (!header.starts_with(magic)) refuse(path, "is no checkpoint of Starling");
-    int written_version = 0;
-    Contents expected;
-    unsigned long long bytes = 0, crc = 0;
-    const int found =
-        std::sscanf(header.c_str() + std::strlen(magic), "format_version %d bytes %llu crc64 %llx",
-                    &written_version, &bytes, &crc);
-    if (found >= 1 && written_version > format_version)
-        refuse(path, fmt::format("has version {} of the format, this program reads up to {}: use "
-                                 "the Starling that wrote it or a newer one",
-                                 written_version, format_version));
-    if (found != 3) refuse(path, "is damaged (header)");
-    const Contents contents = measure(stream);
-    if (contents.bytes < bytes)
-        refuse(path, fmt::format("is truncated: {} of {} bytes", contents.bytes, bytes));
-    if (contents.bytes != bytes || contents.crc != crc)
-        refuse(path, "is damaged (its checksum does not fit)");
+    check_seal(path, checkpoint_seal);
     try {
         const hdf5::File file = hdf5::File::open(path);
         step_ = file.index_attribute("/state", "step");
         t_ = file.real_attribute("/state", "t");
         version_ = file.text_attribute("/", "version");
-        case_text_.resize(file.shape("/case").at(0));
+        case_text_.resize(file.size("/case"));
         file.read("/case",
                   std::span(reinterpret_cast<std::uint8_t*>(case_text_.data()), case_text_.size()));
     } catch (const std::exception& e) {
@@ -315,7 +253,7 @@ RunMemory CheckpointFile::read_memory() const
                 value = file.real_attribute("/run", name);
         });
         const auto columns = sample_columns();
-        m.window.resize(file.shape("/run/window").at(0));
+        m.window.resize(file.size("/run/window") / columns.size());
         std::vector<Real> values(m.window.size() * columns.size());
         file.read("/run/window", values);
         auto value = values.begin();

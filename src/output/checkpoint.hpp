@@ -1,9 +1,7 @@
 #pragma once
 /// Checkpoints: everything a run needs to go on to the bit as if it had never stopped.
 ///
-/// A checkpoint is an HDF5 file behind a header of 512 bytes of text that holds the version of the
-/// format, the size and a CRC-64 of all that follows, so that a damaged file is recognised before
-/// HDF5 sees it (docs/checkpoints.md).
+/// A checkpoint is a sealed HDF5 file (docs/checkpoints.md).
 #include <filesystem>
 #include <optional>
 #include <string>

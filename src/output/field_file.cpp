@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "output/frame_file.hpp"
+
 namespace starling {
 
 namespace fs = std::filesystem;
@@ -54,8 +56,8 @@ std::vector<Real> transposed(const NamedArray& a, const std::array<Index, 3>& n)
 
 } // namespace
 
-FrameWriter::FrameWriter(FieldFileOptions options, std::string name)
-    : options_(std::move(options)), name_(std::move(name)),
+FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
+    : options_(std::move(options)), what_(std::move(what)), name_(options_.prefix + what_),
       series_(options_.directory / (name_ + ".xdmf"), name_), frames_(options_.keep)
 {
     fs::create_directory(options_.directory / "frames");
@@ -85,9 +87,14 @@ void FrameWriter::remove_later_frames() const
 FrameWriter::Frame FrameWriter::begin(Real t, Index step)
 {
     const std::string name = frame_name(name_, frames_);
-    Frame frame{hdf5::File::create(options_.directory / (name + ".new")), name, ""};
+    Frame frame{hdf5::File::create(options_.directory / (name + ".new"), hdf5::Layout::compressed,
+                                   seal_size),
+                name, ""};
+    frame.file.attribute("/", "of", what_);
     frame.file.attribute("/", "t", t * options_.scaling.factor(Quantity::time));
     frame.file.attribute("/", "step", step);
+    frame.file.attribute("/", "unit_of_t", options_.scaling.unit(Quantity::time));
+    frame.file.attribute("/", "unit_of_length", options_.scaling.unit(Quantity::length));
     return frame;
 }
 
@@ -107,7 +114,7 @@ xdmf::Array FrameWriter::write(Frame& frame, const std::string& name,
 void FrameWriter::end(Frame frame, Real t)
 {
     const fs::path path = options_.directory / frame.name;
-    frame.file.save();
+    save_sealed(frame.file, frame_seal, false);
     fs::rename(path.string() + ".new", path);
     ++frames_;
     write_index();
@@ -118,16 +125,16 @@ void FrameWriter::write_index() const
 {
     const fs::path path = options_.directory / (name_ + ".h5"), temporary = path.string() + ".new";
     {
-        hdf5::File file = hdf5::File::create(temporary);
+        hdf5::File file = hdf5::File::create(temporary, hdf5::Layout::compressed, seal_size);
         file.attribute("/", "format", "starling " + name_);
-        file.attribute("/", "format_version", Index{2});
+        file.attribute("/", "format_version", Index{index_seal.version});
         file.attribute("/", "units", options_.scaling.si ? "si" : "dimensionless");
         file.attribute("/", "unit_of_t", options_.scaling.unit(Quantity::time));
         file.make_group("/frames");
         for (Index n = 0; n < frames_; ++n)
             file.link(fmt::format("/frames/{:06}", n), frame_name(name_, n));
-        if (name_ == "wall") file.link(shared_array, frame_name(name_, 0), shared_array);
-        file.save();
+        if (what_ == "wall") file.link(shared_array, frame_name(name_, 0), shared_array);
+        save_sealed(file, index_seal, false);
     }
     fs::rename(temporary, path);
 }
@@ -140,8 +147,8 @@ void WallFile::write(const WallSnapshot& s)
         const auto* first = elements > 0 ? s.triangles.front().data() : nullptr;
         frame.file.write(shared_array, {elements, 3}, std::span(first, 3 * elements));
     }
-    const xdmf::Array triangles{frame_name("wall", 0) + ":" + shared_array, as_index({elements, 3}),
-                                true, 4};
+    const xdmf::Array triangles{frame_name(writer_.name(), 0) + ":" + shared_array,
+                                as_index({elements, 3}), true, 4};
     const auto points =
         writer_.write(frame, "points", {vertices, 3}, coordinates(s.points), Quantity::length);
     frame.xdmf = fmt::format("<Topology TopologyType=\"Triangle\" NumberOfElements=\"{}\">{}"
@@ -150,6 +157,8 @@ void WallFile::write(const WallSnapshot& s)
     const auto add = [&](const NamedArray& a, std::size_t count, xdmf::Centre centre) {
         const auto array =
             writer_.write(frame, a.name, list_shape(count, a.components), as_real(a), a.quantity);
+        const std::string at = centre == xdmf::Centre::node ? "vertex" : "element";
+        frame.file.attribute("/" + a.name, "at", at);
         frame.xdmf += xdmf::attribute(a.name, centre, a.components, array);
     };
     for (const NamedArray& a : s.at_vertex) add(a, vertices, xdmf::Centre::node);

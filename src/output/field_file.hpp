@@ -1,32 +1,37 @@
 #pragma once
 /// Wall and fluid over time for ParaView: NAME.h5 with the numbers, NAME.xdmf with their meaning.
 ///
-/// Each frame is a file of its own, frames/NAME_NNNNNN.h5 with the attributes `t` and `step`;
-/// NAME.h5 shows it as the group /frames/NNNNNN (an external link). Every file is written beside
-/// its place and renamed, NAME.xdmf last: no frame is ever touched again, so a kill harms none, and
-/// a viewer may look while the run goes on.
+/// Each frame is a sealed file of its own, frames/NAME_NNNNNN.h5 with the attributes `t` and
+/// `step`; NAME.h5 shows it as the group /frames/NNNNNN (an external link). Every file is written
+/// beside its place and renamed, NAME.xdmf last: no frame is ever touched again, so a kill harms
+/// none, and a viewer may look while the run goes on.
 #include <filesystem>
 #include <string>
 
 #include "output/hdf5_file.hpp"
+#include "output/sealed_file.hpp"
 #include "output/xdmf.hpp"
 #include "solver/monitor_data.hpp"
 
 namespace starling {
+
+/// Of NAME.h5. Version 3: each frame has a seal.
+inline constexpr Seal index_seal = {"index", 3, "docs/results.md"};
 
 /// Where and how field files are written.
 struct FieldFileOptions {
     std::filesystem::path directory;
     Scaling scaling; ///< numbers are written in the case's units, named in attributes
     hdf5::Precision precision = hdf5::Precision::single;
-    Index keep = 0; ///< frames of an earlier run to go on from; later ones are removed
+    Index keep = 0;          ///< frames of an earlier run to go on from; later ones are removed
+    std::string prefix = ""; ///< of the names of the files: "breakdown_"
 };
 
 /// What both field files share: the pair of files, frame groups, arrays in the case's units.
 class FrameWriter {
 public:
     /// Throws InputError where fewer frames are there than are to be kept.
-    FrameWriter(FieldFileOptions options, std::string name);
+    FrameWriter(FieldFileOptions options, std::string what);
 
     /// Writes the arrays of a new frame to an open file and describes them in XDMF.
     struct Frame {
@@ -42,6 +47,7 @@ public:
     void end(Frame frame, Real t);
 
     const Scaling& scaling() const { return options_.scaling; }
+    const std::string& name() const { return name_; }
     Index frames() const { return frames_; }
 
 private:
@@ -49,7 +55,8 @@ private:
     void remove_later_frames() const;
 
     FieldFileOptions options_;
-    std::string name_;
+    std::string what_; ///< "wall" or "fluid"
+    std::string name_; ///< that with the prefix
     xdmf::Series series_;
     Index frames_ = 0;
 };

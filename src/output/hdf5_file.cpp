@@ -3,6 +3,7 @@
 #include "output/replace_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +14,7 @@ namespace {
 
 constexpr hsize_t largest_chunk = 65536; ///< values; a chunk is compressed at once
 constexpr unsigned deflate_level = 4;
+constexpr Real most_values_per_byte = 1032; ///< what deflate can make of a constant
 
 /// HDF5 reports through `Handle` and `check`, not on standard error.
 void silence()
@@ -79,6 +81,14 @@ Handle in_one_piece()
     Handle list(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "set up HDF5");
     check(H5Pset_obj_track_times(list.get(), false), "set up HDF5");
     return list;
+}
+
+/// Values are read into room for one.
+void check_single(const Handle& attribute, const std::string& what)
+{
+    const Handle space(H5Aget_space(attribute.get()), H5Sclose, what);
+    if (H5Sget_simple_extent_npoints(space.get()) != 1)
+        throw std::runtime_error("cannot " + what + ": it is no single value");
 }
 
 } // namespace
@@ -164,6 +174,29 @@ void File::link(const std::string& path, const std::string& other_file, const st
           "write " + path_.string() + ":" + path);
 }
 
+std::vector<std::string> File::names(const std::string& path) const
+{
+    const std::string what = "read " + path_.string() + ":" + path;
+    const Handle group(H5Gopen2(file_.get(), path.c_str(), H5P_DEFAULT), H5Gclose, what);
+    H5G_info_t info = {};
+    check(H5Gget_info(group.get(), &info), what);
+    std::vector<std::string> found;
+    for (hsize_t n = 0; n < info.nlinks; ++n) {
+        const auto name = [&](char* text, std::size_t room) {
+            return H5Lget_name_by_idx(group.get(), ".", H5_INDEX_NAME, H5_ITER_INC, n, text, room,
+                                      H5P_DEFAULT);
+        };
+        const ssize_t length = name(nullptr, 0);
+        if (length < 0) fail(what);
+        std::string text(static_cast<std::size_t>(length) + 1, '\0');
+        if (name(text.data(), text.size()) < 0) fail(what);
+        text.pop_back();
+        found.push_back(text);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
 std::vector<hsize_t> File::shape(const std::string& path) const
 {
     const std::string what = "read " + path_.string() + ":" + path;
@@ -172,15 +205,24 @@ std::vector<hsize_t> File::shape(const std::string& path) const
     std::vector<hsize_t> shape(
         static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space.get()), 0)));
     check(H5Sget_simple_extent_dims(space.get(), shape.data(), nullptr), what);
+    Real values = 1;
+    for (hsize_t n : shape) values *= static_cast<Real>(n);
+    if (values > most_values_per_byte * static_cast<Real>(std::filesystem::file_size(path_)))
+        throw std::runtime_error("cannot " + what + ": it claims more values than the file holds");
     return shape;
 }
 
+std::size_t File::size(const std::string& path) const
+{
+    const auto all = shape(path);
+    return std::accumulate(all.begin(), all.end(), hsize_t{1}, std::multiplies<>());
+}
+
 void File::read_raw(const std::string& path, hid_t memory_type, void* values,
-                    std::size_t size) const
+                    std::size_t expected) const
 {
     const std::string what = "read " + path_.string() + ":" + path;
-    const auto found = shape(path);
-    if (std::accumulate(found.begin(), found.end(), hsize_t{1}, std::multiplies<>()) != size)
+    if (size(path) != expected)
         throw std::runtime_error("cannot " + what + ": it has another size than expected");
     const Handle set(H5Dopen2(file_.get(), path.c_str(), H5P_DEFAULT), H5Dclose, what);
     check(H5Dread(set.get(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
@@ -210,10 +252,28 @@ Handle File::open_attribute(const std::string& path, const std::string& name) co
 template <class T>
 T File::scalar(const std::string& path, const std::string& name, hid_t type) const
 {
+    const std::string what = "read " + path_.string() + ":" + path + "@" + name;
+    const Handle attribute = open_attribute(path, name);
+    check_single(attribute, what);
     T value{};
-    check(H5Aread(open_attribute(path, name).get(), type, &value),
-          "read " + path_.string() + ":" + path + "@" + name);
+    check(H5Aread(attribute.get(), type, &value), what);
     return value;
+}
+
+Vec3 File::vector_attribute(const std::string& path, const std::string& name) const
+{
+    const std::string what = "read " + path_.string() + ":" + path + "@" + name;
+    const Handle attribute = open_attribute(path, name);
+    check_single(attribute, what);
+    const Handle found(H5Aget_type(attribute.get()), H5Tclose, what);
+    hsize_t count = 0;
+    if (H5Tget_class(found.get()) != H5T_ARRAY || H5Tget_array_ndims(found.get()) != 1 ||
+        H5Tget_array_dims2(found.get(), &count) < 0 || count != 3)
+        throw std::runtime_error("cannot " + what + ": it is no vector");
+    const Handle type(H5Tarray_create2(H5T_NATIVE_DOUBLE, 1, &count), H5Tclose, "set up HDF5");
+    std::array<Real, 3> xyz{};
+    check(H5Aread(attribute.get(), type.get(), xyz.data()), what);
+    return {xyz[0], xyz[1], xyz[2]};
 }
 
 Real File::real_attribute(const std::string& path, const std::string& name) const
@@ -230,6 +290,7 @@ std::string File::text_attribute(const std::string& path, const std::string& nam
 {
     const std::string what = "read " + path_.string() + ":" + path + "@" + name;
     const Handle attribute = open_attribute(path, name);
+    check_single(attribute, what);
     const Handle type(H5Aget_type(attribute.get()), H5Tclose, what);
     if (H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0)
         throw std::runtime_error("cannot " + what + ": it is no text of fixed length");

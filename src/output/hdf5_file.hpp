@@ -58,8 +58,12 @@ public:
     void link(const std::string& path, const std::string& other_file,
               const std::string& target = "/");
 
-    /// The shape of the array at `path`.
+    /// Names of what the group at `path` holds, sorted.
+    std::vector<std::string> names(const std::string& path) const;
+    /// The shape of the array at `path`, and how many values that is. Throws std::runtime_error
+    /// also where it claims more of them than the file can hold.
     std::vector<hsize_t> shape(const std::string& path) const;
+    std::size_t size(const std::string& path) const;
     /// Reads the whole array into `values`, whose size must be that of the array.
     void read(const std::string& path, std::span<Real> values) const;
     void read(const std::string& path, std::span<std::int32_t> values) const;
@@ -72,6 +76,7 @@ public:
     void attribute(const std::string& path, const std::string& name, const Vec3& value);
     Real real_attribute(const std::string& path, const std::string& name) const;
     Index index_attribute(const std::string& path, const std::string& name) const;
+    Vec3 vector_attribute(const std::string& path, const std::string& name) const;
     std::string text_attribute(const std::string& path, const std::string& name) const;
     /// Writes a created file, which until then is in memory only, to its path. Throws
     /// std::runtime_error where the disk is full or the like; the memory is sound all the same.

@@ -1,6 +1,5 @@
 #include "output/run_directory.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -19,17 +18,32 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Everything that a run and `starling plot` write; each may leave a NAME.new after a kill.
-constexpr const char* result_files[] = {
-    "case.toml",  "summary.json", "series.csv",  "profile.csv", "sections.csv",
-    "theory.csv", "wall.h5",      "wall.xdmf",   "fluid.h5",    "fluid.xdmf",
-    "tube.png",   "profiles.png", "history.png", "flow.png"};
+constexpr const char* result_files[] = {"case.toml",
+                                        "summary.json",
+                                        "series.csv",
+                                        "profile.csv",
+                                        "sections.csv",
+                                        "theory.csv",
+                                        "wall.h5",
+                                        "wall.xdmf",
+                                        "fluid.h5",
+                                        "fluid.xdmf",
+                                        "tube.png",
+                                        "profiles.png",
+                                        "history.png",
+                                        "flow.png",
+                                        "breakdown.png",
+                                        "breakdown_wall.h5",
+                                        "breakdown_wall.xdmf",
+                                        "breakdown_fluid.h5",
+                                        "breakdown_fluid.xdmf"};
 /// Folders of a run and what the names of its files in them begin with.
 struct ResultFolder {
     const char* name;
-    std::array<const char*, 2> prefixes;
+    std::vector<std::string> prefixes;
 };
-constexpr ResultFolder result_folders[] = {{"frames", {"wall_", "fluid_"}},
-                                           {"checkpoints", {"step_", "latest"}}};
+const ResultFolder result_folders[] = {{"frames", {"wall_", "fluid_", "breakdown_"}},
+                                       {"checkpoints", {"step_", "latest"}}};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
@@ -47,7 +61,7 @@ std::vector<fs::path> files_in(const fs::path& path, const ResultFolder& folder)
     std::vector<fs::path> ours;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(path / folder.name, none))
-        for (const char* prefix : folder.prefixes)
+        for (const std::string& prefix : folder.prefixes)
             if (entry.path().filename().string().starts_with(prefix)) ours.push_back(entry.path());
     return ours;
 }
@@ -148,6 +162,15 @@ void RunDirectory::check(const RunDirectoryOptions& options)
     for (const ResultFolder& folder : result_folders)
         for (const fs::path& file : files_in(path, folder))
             check_removal(path, fs::path(folder.name) / file.filename(), options.case_file);
+}
+
+bool RunDirectory::in_use(const fs::path& path)
+{
+    const int file = open((path / lock_file).c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
+    const bool locked = flock(file, LOCK_SH | LOCK_NB) != 0;
+    close(file);
+    return locked;
 }
 
 namespace {

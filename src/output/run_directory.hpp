@@ -30,6 +30,8 @@ public:
 
     /// The refusals of the constructor that need no writing, for a look before a long set-up.
     static void check(const RunDirectoryOptions& options);
+    /// Whether a run is writing to the directory now.
+    static bool in_use(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path file(const char* name) const { return path_ / name; }

@@ -59,7 +59,8 @@ def wait_for(condition, seconds=60):
 
 
 def test_help(_):
-    for command in ([], ["run"], ["resume"], ["check"], ["theory"], ["cases"], ["plot"]):
+    for command in ([], ["run"], ["resume"], ["check"], ["theory"], ["cases"], ["plot"],
+                    ["info"], ["export"]):
         result = starling(*command, "--help")
         expect_exit(result, 0)
         expect("Usage: starling" in result.stdout, command, result.stdout)
@@ -367,16 +368,131 @@ def test_kill(directory):
 
 
 def check_readable(out):
-    """Every frame that wall.xdmf names is there and whole."""
+    """Every frame that wall.xdmf names is there, and all that is there is whole."""
     xdmf = out / "wall.xdmf"
-    if not xdmf.exists():
-        return
-    text = xdmf.read_text(encoding="utf-8")
-    expect(text.endswith("</Xdmf>\n"), "wall.xdmf")
-    for name in set(re.findall(r">([^<:]+\.h5):", text)):
-        content = (out / name).read_bytes()
-        end = int.from_bytes(content[40:48], "little")  # end of file in HDF5's superblock
-        expect(content.startswith(b"\x89HDF") and end == len(content), name, "is not whole")
+    if xdmf.exists():
+        text = xdmf.read_text(encoding="utf-8")
+        expect(text.endswith("</Xdmf>\n"), "wall.xdmf")
+        for name in set(re.findall(r">([^<:]+\.h5):", text)):
+            expect((out / name).exists(), name, "is missing")
+    result = starling("info", out)
+    if "no results" in result.stderr or "no such directory" in result.stderr:
+        return None  # killed before there was anything
+    expect_exit(result, 0)
+    expect("All files are whole." in result.stdout, result.stdout)
+    return result.stdout
+
+
+def test_info(directory):
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--set", "checkpoint.steps=2", "--out", out), 0)
+    printed = check_readable(out)
+    for words in ("ended (steps)", "steps 0 to 5", "2 frames, t = 0, 0.1", "checkpoints   3",
+                  f"Go on: starling resume {out}"):
+        expect(words in printed, "info does not say", words, "\n", printed)
+    latest = starling("info", out / "checkpoints" / "latest").stdout
+    expect("step 5" in latest and "whole" in latest and "Inflation" in latest, latest)
+    frame = starling("info", out / "frames" / "wall_000001.h5").stdout
+    for words in ("a frame of the wall", "points", "vectors", "R_0", "whole"):
+        expect(words in frame, "info does not say", words, "\n", frame)
+    for path in (out / "series.csv", directory, directory / "none"):
+        expect_exit(starling("info", path), 2)
+
+
+def test_info_damaged(directory):
+    """Each damaged file is found, named, and the checkpoint that is whole is offered."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--set", "checkpoint.steps=2", "--out", out), 0)
+    whole = {p: p.read_bytes() for p in out.rglob("*") if p.is_file() and not p.is_symlink()}
+    latest = (out / "checkpoints" / "latest").resolve()
+    for path, content in whole.items():
+        if path.name in ("profile.csv", "sections.csv", "theory.csv"):
+            continue  # written anew by every run that ends
+        path.write_bytes(content[:len(content) // 2 + 1])
+        result = starling("info", out)
+        expect_exit(result, 2)
+        expect(f"{path.relative_to(out)}: " in result.stdout, path, "\n", result.stdout)
+        if path == latest:
+            expect("--from" in result.stdout, result.stdout)
+        if path.parent.name in ("frames", "checkpoints"):
+            result = starling("info", path)
+            expect_exit(result, 2)
+            expect("truncated" in result.stdout, result.stdout)
+        path.write_bytes(content)
+    (out / "frames" / "wall_000001.h5").unlink()
+    expect("wall.xdmf: names frames/wall_000001.h5, which is missing" in
+           starling("info", out).stdout, "missing frame")
+
+
+def test_info_while_running(directory):
+    out = directory / "out"
+    run = start_long_run(out)
+    expect("a run is writing to it now" in starling("info", out).stdout, "running")
+    run.kill()
+    run.communicate()
+    printed = check_readable(out)
+    expect("has not ended" in printed, printed)
+
+
+def test_export(directory):
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--out", out), 0)
+    for name, arguments, words in (
+            ("wall.vtp", [], "the wall at t = 0.125 R_0/U_c, step 5"),
+            ("early.vtp", ["--time", "0.09"], "t = 0.1 R_0/U_c, step 4, the frame nearest to the 0.09"),
+            ("exact.csv", ["--time", "0.1"], "exactly the time asked for"),
+            ("fluid.vti", [], "pressure [rho U_c^2], velocity [U_c]"),
+            ("fluid.csv", ["--what", "fluid"], "the fluid at")):
+        result = starling("export", out, "--out", directory / name, *arguments)
+        expect_exit(result, 0)
+        expect(words in result.stdout, name, "should say", words, "but says", result.stdout)
+        expect((directory / name).stat().st_size > 1000, name)
+    rows = rows_of(directory / "exact.csv")
+    expect(len(rows) == summary_of(out)["vertices"] + 1 and rows[0][0] == "x [R_0]", rows[0])
+    expect(len(rows_of(directory / "fluid.csv")) == summary_of(out)["cells"] + 1, "cells")
+    one = starling("export", out / "frames" / "wall_000000.h5", "--out", directory / "first.vtp")
+    expect("t = 0 R_0/U_c, step 0" in one.stdout, one.stdout, one.stderr)
+    before = (directory / "wall.vtp").read_bytes()
+    for arguments, words in (
+            (["--out", directory / "wall.vtp"], "--force"), (["--out", directory / "a.vtk"], ".vtp"),
+            (["--out", directory / "a.vtp", "--what", "fluid"], "hold the wall"),
+            (["--out", directory / "a.vtp", "--time", "soon"], "number"),
+            (["--out", directory / "a.vtp", "--time", "nan"], "number")):
+        result = starling("export", out, *arguments)
+        expect_exit(result, 2)
+        expect(words in result.stderr, arguments, "should say", words, "but says", result.stderr)
+    expect_exit(starling("export", directory, "--out", directory / "a.vtp"), 2)
+    expect(not (directory / "a.vtp").exists(), "a refused export wrote a file")
+    expect((directory / "wall.vtp").read_bytes() == before, "a refused export replaced a file")
+    expect_exit(starling("export", out, "--out", directory / "wall.vtp", "--force"), 0)
+
+
+def test_read_only(directory):
+    """A directory that cannot be written to: a message, and nothing changes."""
+    disk = directory / "disk"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=30m", "tmpfs", disk], check=False,
+                      capture_output=True).returncode != 0:
+        print("skipped: needs the right to mount a small disk")
+        sys.exit(SKIPPED)
+    try:
+        out = disk / "out"
+        expect_exit(starling("run", *SHORT, "--out", out), 0)
+        subprocess.run(["mount", "-o", "remount,ro", disk], check=True)
+        before = {p: p.stat().st_mtime_ns for p in disk.rglob("*")}
+        for arguments in (["run", *SHORT, "--out", disk / "new"],
+                          ["run", *SHORT, "--out", out, "--force"],
+                          ["resume", out, "--set", "stop.steps=9"]):
+            result = starling(*arguments)
+            expect_exit(result, 2)
+            expect("Read-only file system" in result.stderr, result.stderr)
+            expect(str(disk) in result.stderr, "the directory is not named", result.stderr)
+        expect_exit(starling("export", out, "--out", disk / "wall.vtp"), 1)
+        expect(before == {p: p.stat().st_mtime_ns for p in disk.rglob("*")}, "something changed")
+        check_readable(out)  # reading needs no right to write
+        expect_exit(starling("export", out, "--out", directory / "wall.vtp"), 0)
+    finally:
+        subprocess.run(["umount", disk], check=True)
 
 
 def test_numerical_error(directory):
@@ -432,8 +548,9 @@ def test_numerical_error_in_si(directory):
     found = re.match(r"numerical error: step (\d+), t = (\S+) s: .*", reason)
     expect(found and abs(float(found[2]) - 0.04 * int(found[1])) < 1e-6, reason)
     expect("time.step=auto" in reason, "no remedy for a fixed step", reason)
-    place = re.search(r"at x = (\S+), y = \S+, z = \S+ m[:\n]", reason)
+    place = re.search(r"at x = (\S+), y = \S+, z = \S+ m, theta = -?\d+ degrees \((vertex|cell) ", reason)
     expect(place and 0 <= float(place[1]) <= 6.28e-3, reason)
+    expect("term: membrane stiffness" in reason, "the term is not named", reason)
 
 
 def test_threads(directory):

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "core/error.hpp"
-#include "output/checkpoint.hpp"
+#include "example_checkpoint.hpp"
 #include "output/crc64.hpp"
 #include "temporary_directory.hpp"
 
@@ -32,47 +32,7 @@ TEST(Crc64, DoesNotDependOnThePieces)
     }
 }
 
-/// A small state with a different number in every place.
-struct Example {
-    Grid grid{{4, 3, 2}, {0, -1, -1}, {4, 2, 2}};
-    Tube tube = make_tube({.length = 4, .rigid_inlet = 1, .rigid_outlet = 1}, 0.8);
-    State state{grid, tube};
-    RunMemory memory;
-
-    Example()
-    {
-        Real next = 0.1;
-        const auto fill = [&](ScalarField& f) {
-            for (Real& v : f.values()) v = next += 0.1;
-        };
-        for (auto& f : state.fluid.u.component) fill(f);
-        for (auto& f : state.fluid.N_before.component) fill(f);
-        fill(state.fluid.P);
-        state.fluid.dt_before = 0.01;
-        for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
-        for (GhostState& g : state.ghosts) {
-            g.inside.values()[7] = 1;
-            g.near_wall.push_back({1, 2, 0, false, {5, {next, 2, 3}, 0.25, true}});
-            g.near_wall.push_back({2, 2, 1, false, {6, {1, next, 3}, 0.5, false}});
-        }
-        state.t = 1 / 3.;
-        state.step = 42;
-        state.dt = 0.02;
-        memory.window.resize(3);
-        memory.window[1].Q_in = 0.7;
-        memory.window[2].step = 41;
-        memory.last_row = 40;
-        memory.wall_frames = 2;
-        memory.next_wall = 0.5;
-        memory.wall_seconds = 12.5;
-        memory.step_factor = 0.5;
-    }
-    fs::path write(const fs::path& directory) const
-    {
-        write_checkpoint(directory / "step.h5", state, memory, "[fluid]\nreynolds = 1\n");
-        return directory / "step.h5";
-    }
-};
+using Example = test::ExampleCheckpoint;
 
 template <class T>
 bool same_bytes(const Array<T>& a, const Array<T>& b)

@@ -58,6 +58,11 @@ def names(arrays):
 def check_wall(reader, path):
     wall, times = open_at(reader, path, 0.5)
     check(f"{reader} wall times", times, TIMES)
+    check_wall_data(reader, wall)
+
+
+def check_wall_data(reader, wall):
+    """The wall at t = 0.5."""
     check(f"{reader} wall points", wall.GetNumberOfPoints(), 4)
     check(f"{reader} wall triangles", wall.GetNumberOfCells(), 4)
     check(f"{reader} wall point arrays", names(wall.GetPointData()),
@@ -75,6 +80,11 @@ def check_wall(reader, path):
 def check_fluid(reader, path):
     fluid, times = open_at(reader, path, 1.0)
     check(f"{reader} fluid times", times, TIMES)
+    check_fluid_data(reader, fluid)
+
+
+def check_fluid_data(reader, fluid):
+    """The fluid at t = 1."""
     check(f"{reader} fluid cells", fluid.GetNumberOfCells(), 6 * 4 * 5)
     check(f"{reader} fluid is an image", fluid.IsA("vtkImageData"), 1)
     check(f"{reader} fluid bounds: x along the tube", list(fluid.GetBounds()),
@@ -91,12 +101,27 @@ def check_fluid(reader, path):
     check(f"{reader} every cell's value belongs to its position (largest error)", worst, 0.0)
 
 
+def check_exported(directory):
+    """What `starling export` writes."""
+    for name, check_data, time, unit in (("wall.vtp", check_wall_data, 0.5, "tension1 [rho U_c^2 R_0]"),
+                                         ("fluid.vti", check_fluid_data, 1.0, "velocity [U_c]")):
+        source = simple.OpenDataFile(os.path.join(directory, name))
+        source.UpdatePipeline()
+        data = servermanager.Fetch(source)
+        check_data(name, data)
+        field = data.GetFieldData()
+        check(f"{name} time", field.GetArray("TimeValue").GetValue(0), time)
+        units = field.GetAbstractArray("units").GetValue(0)
+        check(f"{name} units", unit in units and units.startswith("t [R_0/U_c]"), True)
+
+
 def main():
     with tempfile.TemporaryDirectory() as directory:
         subprocess.run([sys.argv[1], directory], check=True)
         for reader in READERS:
             check_wall(reader, os.path.join(directory, "wall.xdmf"))
             check_fluid(reader, os.path.join(directory, "fluid.xdmf"))
+        check_exported(directory)
     return 1 if failures else 0
 
 

@@ -1,6 +1,8 @@
-/// Writes the synthetic wall and fluid of the unit tests to a directory, for tests with viewers.
+/// Writes the synthetic wall and fluid of the unit tests to a directory, also as exported files,
+/// for tests with viewers.
 #include <iostream>
 
+#include "output/export.hpp"
 #include "output/field_file.hpp"
 #include "synthetic.hpp"
 
@@ -17,4 +19,8 @@ int main(int argc, char** argv)
         wall.write(synthetic::wall(0.5 * static_cast<Real>(n), n));
         fluid.write(synthetic::fluid(0.5 * static_cast<Real>(n), n));
     }
+    const std::filesystem::path directory = argv[1];
+    write_vtp(directory / "wall.vtp", FrameFile(directory / "frames/wall_000001.h5").read_wall());
+    write_vti(directory / "fluid.vti",
+              FrameFile(directory / "frames/fluid_000002.h5").read_fluid());
 }

@@ -1,0 +1,197 @@
+#include "simulation/inspect.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "config/read_case.hpp"
+#include "core/error.hpp"
+#include "output/checkpoint.hpp"
+#include "output/field_file.hpp"
+#include "output/run_directory.hpp"
+#include "output/series.hpp"
+
+namespace starling {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string read_text(const fs::path& path)
+{
+    std::ifstream stream(path, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+/// The message of an error about a file, without the file's name in front.
+std::string reason_in(const std::exception& e, const fs::path& path)
+{
+    const std::string text = e.what(), name = path.string();
+    if (!text.starts_with(name)) return text;
+    const std::size_t begin = text.find_first_not_of(": ", name.size());
+    return begin == std::string::npos ? text : text.substr(begin);
+}
+
+std::vector<std::string> split(const std::string& line)
+{
+    std::vector<std::string> cells;
+    std::istringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    return cells;
+}
+
+std::optional<Real> number_in(const std::string& text)
+{
+    Real value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end) return std::nullopt;
+    return value;
+}
+
+/// Reads series.csv row by row; throws std::runtime_error at the first that is wrong.
+SeriesContents inspect_series(const fs::path& path)
+{
+    const auto columns = sample_columns();
+    std::istringstream text(read_text(path));
+    std::string line;
+    SeriesContents found;
+    if (!std::getline(text, line)) throw std::runtime_error("is empty");
+    const auto titles = split(line);
+    bool known = titles.size() == columns.size();
+    for (std::size_t n = 0; known && n < titles.size(); ++n)
+        known = titles[n].starts_with(std::string(columns[n].name) + " [");
+    if (!known) throw std::runtime_error("has other columns than this Starling writes");
+    found.unit_of_t = titles[0].substr(3, titles[0].size() - 4);
+    while (std::getline(text, line)) {
+        const std::string row = fmt::format("row {}", found.rows + 1);
+        const auto cells = split(line);
+        if (text.eof() || cells.size() != columns.size())
+            throw std::runtime_error(row + " is cut off");
+        for (const std::string& cell : cells)
+            if (!number_in(cell)) throw std::runtime_error(row + " holds '" + cell + "'");
+        const Real t = *number_in(cells[0]);
+        const auto step = static_cast<Index>(*number_in(cells[1]));
+        if (found.rows > 0 && (step <= found.last_step || !(t > found.last_t)))
+            throw std::runtime_error(row + " goes back in time");
+        if (found.rows++ == 0) found.first_step = step, found.first_t = t;
+        found.last_step = step;
+        found.last_t = t;
+    }
+    return found;
+}
+
+/// Looks into a run directory, file by file.
+class Inspector {
+public:
+    explicit Inspector(const fs::path& directory) : directory_(directory) {}
+
+    RunContents look()
+    {
+        found_.running = RunDirectory::in_use(directory_);
+        look_at("case.toml", [&](const fs::path& p) { found_.title = read_case(p).title; });
+        look_at("series.csv", [&](const fs::path& p) { found_.series = inspect_series(p); });
+        look_at("summary.json", [&](const fs::path& p) {
+            found_.ended = nlohmann::json::parse(read_text(p)).at("reason").get<std::string>();
+        });
+        found_.wall = look_at_frames("wall");
+        found_.fluid = look_at_frames("fluid");
+        for (const fs::path& path : CheckpointRing::list(directory_)) {
+            found_.checkpoints.push_back(inspect_checkpoint(path));
+            note(path, found_.checkpoints.back().problem);
+        }
+        if (!found_.running) list_leftovers();
+        return found_;
+    }
+
+private:
+    void note(const fs::path& path, const std::string& problem)
+    {
+        if (!problem.empty()) found_.findings.push_back({path, problem});
+    }
+
+    template <class F>
+    void look_at(const char* name, F f)
+    {
+        const fs::path path = directory_ / name;
+        std::error_code none;
+        if (!fs::exists(path, none)) return;
+        try {
+            f(path);
+        } catch (const std::exception& e) {
+            note(path, reason_in(e, path));
+        }
+    }
+
+    std::vector<ListedFrame> look_at_frames(const std::string& of)
+    {
+        const auto frames = list_frames(directory_, of);
+        for (const ListedFrame& frame : frames) note(frame.path, frame.problem);
+        const std::string index = of + ".h5", xdmf = of + ".xdmf";
+        look_at(index.c_str(), [](const fs::path& p) { check_seal(p, index_seal); });
+        look_at(xdmf.c_str(), [&](const fs::path& p) {
+            const std::string text = read_text(p);
+            if (!text.ends_with("</Xdmf>\n")) throw std::runtime_error("is cut off");
+            for (std::size_t at = 0; (at = text.find("frames/", at)) != std::string::npos; ++at) {
+                const std::string name = text.substr(at, text.find(':', at) - at);
+                if (!fs::exists(directory_ / name))
+                    throw std::runtime_error("names " + name + ", which is missing");
+            }
+        });
+        return frames;
+    }
+
+    void list_leftovers()
+    {
+        for (const fs::path& folder :
+             {directory_, directory_ / "frames", CheckpointRing::folder(directory_)}) {
+            std::error_code none;
+            for (const auto& entry : fs::directory_iterator(folder, none))
+                if (entry.path().extension() == ".new") found_.leftovers.push_back(entry.path());
+        }
+        std::ranges::sort(found_.leftovers);
+    }
+
+    fs::path directory_;
+    RunContents found_;
+};
+
+} // namespace
+
+CheckpointContents inspect_checkpoint(const fs::path& path)
+{
+    CheckpointContents found;
+    found.path = path;
+    try {
+        const CheckpointFile file(path);
+        const Case c = read_case_text(file.case_text(), "its case");
+        found.step = file.step();
+        found.t = file.t() * c.scaling.factor(Quantity::time);
+        found.unit_of_t = c.scaling.unit(Quantity::time);
+        found.version = file.version();
+        found.title = c.title;
+    } catch (const std::exception& e) {
+        found.problem = reason_in(e, path);
+    }
+    return found;
+}
+
+RunContents inspect_run(const fs::path& directory)
+{
+    std::error_code none;
+    if (!fs::is_directory(directory, none))
+        throw InputError(directory.string() + ": no such directory");
+    RunContents found = Inspector(directory).look();
+    if (!found.series && found.wall.empty() && found.fluid.empty() && found.checkpoints.empty() &&
+        found.findings.empty() && !fs::exists(directory / "case.toml", none))
+        throw InputError(directory.string() + ": holds no results of a run");
+    return found;
+}
+
+} // namespace starling

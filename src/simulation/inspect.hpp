@@ -1,0 +1,54 @@
+#pragma once
+/// What is in a run directory or one of its files, and whether it is whole. Reads only; works on
+/// what a kill has left and on damaged files.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "output/frame_file.hpp"
+
+namespace starling {
+
+/// A file that is not as it should be.
+struct Finding {
+    std::filesystem::path path;
+    std::string problem;
+};
+
+/// series.csv.
+struct SeriesContents {
+    Index rows = 0;
+    Index first_step = 0, last_step = 0;
+    Real first_t = 0, last_t = 0;
+    std::string unit_of_t;
+};
+
+/// A checkpoint.
+struct CheckpointContents {
+    std::filesystem::path path;
+    Index step = 0;
+    Real t = 0; ///< in the units of the case
+    std::string unit_of_t, version, title;
+    std::string problem; ///< empty: whole
+};
+
+/// A run directory.
+struct RunContents {
+    std::string title;
+    bool running = false; ///< a run is writing to it now
+    std::string ended;    ///< reason in summary.json; empty where the run has not ended
+    std::optional<SeriesContents> series;
+    std::vector<ListedFrame> wall, fluid;
+    std::vector<CheckpointContents> checkpoints;  ///< latest first
+    std::vector<std::filesystem::path> leftovers; ///< what a kill has left unfinished
+    std::vector<Finding> findings;                ///< empty: all files are whole
+};
+
+/// Throws InputError where the directory holds nothing of a run.
+RunContents inspect_run(const std::filesystem::path& directory);
+
+/// Looks at the file of a checkpoint; never throws for what is wrong with it.
+CheckpointContents inspect_checkpoint(const std::filesystem::path& path);
+
+} // namespace starling
