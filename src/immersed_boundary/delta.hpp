@@ -12,9 +12,12 @@ struct Stencil4 {
 
 enum class Kernel {
     cosine,            ///< Peskin's, Eq. (27) with h-bar = 2 Delta
-    quadratic_bspline, ///< order 3: three nodes, the fourth weight is zero
+    quadratic_bspline, ///< order 3: the three nearest nodes, the fourth weight is zero
     cubic_bspline,     ///< order 4; its derivative is the difference of two of order 3
 };
+
+/// Number of nodes that can have weight: the first so many of a stencil.
+constexpr Index node_count(Kernel kernel) { return kernel == Kernel::quadratic_bspline ? 3 : 4; }
 
 /// Weights at coordinate s, in spacings from node 0. s must be finite and fit an int.
 inline Stencil4 delta_weights(Kernel kernel, Real s)
@@ -29,12 +32,10 @@ inline Stencil4 delta_weights(Kernel kernel, Real s)
         break;
     }
     case Kernel::quadratic_bspline: {
-        if (t < 0.5) {
-            w = {0.5 * (0.5 - t) * (0.5 - t), 0.75 - t * t, 0.5 * (0.5 + t) * (0.5 + t), 0};
-        } else {
-            const Real r = t - 1;
-            w = {0, 0.5 * (0.5 - r) * (0.5 - r), 0.75 - r * r, 0.5 * (0.5 + r) * (0.5 + r)};
-        }
+        const bool nearer_to_next = t >= 0.5;
+        const Real r = nearer_to_next ? t - 1 : t; // from the node nearest
+        stencil.first += nearer_to_next;
+        w = {0.5 * (0.5 - r) * (0.5 - r), 0.75 - r * r, 0.5 * (0.5 + r) * (0.5 + r), 0};
         break;
     }
     case Kernel::cubic_bspline: {

@@ -1,41 +1,65 @@
 #include "immersed_boundary/transfer.hpp"
 
-#include <limits>
-
 namespace starling {
 
 namespace {
 
-constexpr std::int32_t max_index = std::numeric_limits<std::int32_t>::max();
+template <std::size_t n>
+using Width = std::integral_constant<std::size_t, n>;
 
-bool reaches(const Stencil4& s, Index plane)
+/// Calls f with the number of nodes in y and z that can have weight for component c.
+template <class F>
+void with_widths(const KernelPair& kernels, Location c, F f)
 {
-    const Index m = plane - s.first;
-    return m >= 0 && m < 4 && s.weight[static_cast<std::size_t>(m)] != 0;
+    const auto call = [&](auto along, auto across) {
+        switch (c) {
+        case Location::u: return f(across, across);
+        case Location::v: return f(along, across);
+        default: return f(across, along);
+        }
+    };
+    if (node_count(kernels.across) == 3)
+        call(Width<4>{}, Width<3>{});
+    else
+        call(Width<4>{}, Width<4>{});
+}
+
+Real Vec3::* component_of_vector(Location c)
+{
+    return c == Location::u ? &Vec3::x : c == Location::v ? &Vec3::y : &Vec3::z;
+}
+
+/// Zeros in the rows of plane i, and in the halos between them.
+void clear_plane(const Box& b, Index i, View<Real> f)
+{
+    std::fill(&f(i, b.begin[1], b.begin[2]), &f(i, b.end[1] - 1, b.end[2]), 0);
+}
+
+/// to = S from in plane i of the box.
+void sharpen_plane(Real a, const Box& b, Index i, View<const Real> from, View<Real> to)
+{
+    const Real centre = 1 + 6 * a;
+    for (Index j = b.begin[1]; j < b.end[1]; ++j) {
+#pragma omp simd
+        for (Index k = b.begin[2]; k < b.end[2]; ++k)
+            to(i, j, k) = centre * from(i, j, k) -
+                          a * (from(i - 1, j, k) + from(i + 1, j, k) + from(i, j - 1, k) +
+                               from(i, j + 1, k) + from(i, j, k - 1) + from(i, j, k + 1));
+    }
 }
 
 } // namespace
 
 Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange spreading)
     : grid_(g), tube_(&tube), kernels_(kernels), spreading_(spreading),
-      stencils_(static_cast<Index>(tube.X.size())), scratch_(g)
+      y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
+         Array<Stencil4>(static_cast<Index>(tube.X.size()))},
+      z_(y_), scratch_(g)
 {
     const Real h = g.spacing().x;
     for (Real x : tube.ring_x)
         ring_stencils_.push_back({delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
                                   delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h)});
-    for (Location c : {Location::cell, Location::u}) {
-        auto& reach = reach_[c == Location::u];
-        reach.resize(static_cast<std::size_t>(g.nx() + 1));
-        for (Index i = 0; i <= g.nx(); ++i) {
-            auto& range = reach[static_cast<std::size_t>(i)];
-            for (Index r = spreading.begin; r < spreading.end; ++r)
-                if (reaches(stencil_x(c, r), i)) {
-                    if (range.end == 0) range.begin = r;
-                    range.end = r + 1;
-                }
-        }
-    }
     reached_.begin[0] = reached_.end[0] = 0;
     if (spreading.begin < spreading.end) {
         reached_.begin[0] = stencil_x(Location::cell, spreading.begin).first;
@@ -49,36 +73,52 @@ const Stencil4& Transfer::stencil_x(Location c, Index ring) const
     return c == Location::u ? s.x_face : s.x_cell;
 }
 
+Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin,
+                                  Real h, Index cells) const
+{
+    const Vec3* position = x.data();
+    const Real inverse = 1 / h, top = static_cast<Real>(cells - 2);
+    Real low = top, high = 2;
+    Index bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : low) \
+    reduction(max : high)
+    for (Index v = tube_->first(spreading_.begin); v < tube_->first(spreading_.end); ++v) {
+        const Real s = (position[v].*coordinate - origin) * inverse;
+        bad += !(s > 2 && s < top);
+        low = std::min(low, s);
+        high = std::max(high, s);
+    }
+    return {low, high, bad == 0};
+}
+
+void Transfer::weigh(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h,
+                     Stencils& stencils)
+{
+    const Vec3* position = x.data();
+    Stencil4 *along = stencils.along.data(), *across = stencils.across.data();
+    const Real inverse = 1 / h;
+    const KernelPair kernels = kernels_;
+    for_range(tube_->first(spreading_.begin), tube_->first(spreading_.end), [=](Index v) {
+        const Real s = (position[v].*coordinate - origin) * inverse;
+        across[v] = delta_weights(kernels.across, s - 0.5);
+        along[v] = delta_weights(kernels.along, s);
+    });
+}
+
 bool Transfer::update(const Array<Vec3>& x)
 {
+    if (spreading_.begin == spreading_.end) return true; // reaches no node
     const Vec3 h = grid_.spacing(), origin = grid_.origin();
-    const Real inv_y = 1 / h.y, inv_z = 1 / h.z;
-    const Real top_y = static_cast<Real>(grid_.ny() - 2), top_z = static_cast<Real>(grid_.nz() - 2);
-    VertexStencils* stencils = stencils_.data();
-    const Vec3* position = x.data();
-    const KernelPair kernels = kernels_;
-    Index bad = 0;
-    std::int32_t y_low = max_index, y_high = 0, z_low = max_index, z_high = 0;
-#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : y_low, z_low) \
-    reduction(max : y_high, z_high)
-    for (Index v = tube_->first(spreading_.begin); v < tube_->first(spreading_.end); ++v) {
-        const Real s_y = (position[v].y - origin.y) * inv_y,
-                   s_z = (position[v].z - origin.z) * inv_z;
-        if (!(s_y > 2 && s_y < top_y && s_z > 2 && s_z < top_z)) {
-            ++bad;
-            continue;
-        }
-        VertexStencils& s = stencils[v];
-        s = {delta_weights(kernels.across, s_y - 0.5), delta_weights(kernels.along, s_y),
-             delta_weights(kernels.across, s_z - 0.5), delta_weights(kernels.along, s_z)};
-        y_low = std::min(y_low, s.y_cell.first);
-        y_high = std::max(y_high, s.y_face.first);
-        z_low = std::min(z_low, s.z_cell.first);
-        z_high = std::max(z_high, s.z_face.first);
-    }
-    reached_.begin = {reached_.begin[0], y_low, z_low};
-    reached_.end = {reached_.end[0], y_high + 4, z_high + 4};
-    return bad == 0;
+    const Extent y = extent(x, &Vec3::y, origin.y, h.y, grid_.ny());
+    const Extent z = extent(x, &Vec3::z, origin.z, h.z, grid_.nz());
+    if (!y.inside || !z.inside) return false;
+    weigh(x, &Vec3::y, origin.y, h.y, y_);
+    weigh(x, &Vec3::z, origin.z, h.z, z_);
+    const auto first = [&](Real s) { return delta_weights(kernels_.across, s - 0.5).first; };
+    const auto last = [&](Real s) { return delta_weights(kernels_.along, s).first; };
+    reached_.begin = {reached_.begin[0], first(y.low), first(z.low)};
+    reached_.end = {reached_.end[0], last(y.high) + 4, last(z.high) + 4};
+    return true;
 }
 
 Box Transfer::support(Location c, Index margin) const
@@ -94,48 +134,58 @@ Box Transfer::support(Location c, Index margin) const
 
 void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
 {
-    const View<Real> out = F.view();
-    for_each(grid_.unknowns(c), [=](Index i, Index j, Index k) { out(i, j, k) = 0; });
-    if (kernels_.sharpening == 0) return gather(c, f, out);
-    const View<Real> blunt = scratch_.view();
+    const View<Real> out = F.view(), blunt = scratch_.view();
+    const Box all = grid_.unknowns(c);
+    if (kernels_.sharpening == 0) return gather(c, f, all, out);
     const Box b = support(c, 1);
     // one node more than the box: what is sharpened reads its neighbours
-    for_each({{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
-              {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}},
-             [=](Index i, Index j, Index k) { blunt(i, j, k) = 0; });
-    gather(c, f, blunt);
-    sharpen(b, blunt, out);
-}
-
-void Transfer::sharpen(const Box& b, View<const Real> from, View<Real> to) const
-{
-    const Real a = kernels_.sharpening, centre = 1 + 6 * a;
-    for_each(b, [=](Index i, Index j, Index k) {
-        to(i, j, k) = centre * from(i, j, k) -
-                      a * (from(i - 1, j, k) + from(i + 1, j, k) + from(i, j - 1, k) +
-                           from(i, j + 1, k) + from(i, j, k - 1) + from(i, j, k + 1));
+    gather(c, f,
+           {{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
+            {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}},
+           blunt);
+    const Real a = kernels_.sharpening;
+    for_range(all.begin[0], all.end[0], [=](Index i) {
+        clear_plane(all, i, out);
+        if (i >= b.begin[0] && i < b.end[0]) sharpen_plane(a, b, i, blunt, out);
     });
 }
 
-void Transfer::gather(Location c, const Array<Vec3>& f, View<Real> F) const
+// Each thread has some planes and visits the rings in their reach once: vertex after vertex it adds
+// to all of its planes, so that sums do not wait for what was just stored.
+void Transfer::gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const
+{
+    const Index blocks = max_threads(), planes = b.end[0] - b.begin[0];
+    for_range(0, blocks, [=, this, &f, &b](Index block) {
+        const Index first = b.begin[0] + planes * block / blocks;
+        const Index last = b.begin[0] + planes * (block + 1) / blocks;
+        for (Index i = first; i < last; ++i) clear_plane(b, i, F);
+        for (Index ring = spreading_.begin; ring < spreading_.end; ++ring) {
+            const Index x_first = stencil_x(c, ring).first;
+            const Index begin = std::max<Index>({first, 0, x_first});
+            const Index end = std::min({last, grid_.nx() + 1, x_first + 4});
+            if (begin < end) add_ring(c, ring, f, begin, end, F);
+        }
+    });
+}
+
+void Transfer::add_ring(Location c, Index ring, const Array<Vec3>& f, Index begin, Index end,
+                        View<Real> F) const
 {
     const Real inv_volume = 1 / grid_.cell_volume();
-    const auto& reach = reach_[c == Location::u];
-    const auto component = [c](const Vec3& a) {
-        return c == Location::u ? a.x : c == Location::v ? a.y : a.z;
-    };
-    for_range(0, static_cast<Index>(reach.size()), [&, F](Index i) {
-        const RingRange range = reach[static_cast<std::size_t>(i)];
-        for (Index ring = range.begin; ring < range.end; ++ring) {
-            const Stencil4& sx = stencil_x(c, ring);
-            const Real weight_x = inv_volume * sx.weight[static_cast<std::size_t>(i - sx.first)];
-            for (Index v = tube_->first(ring); v < tube_->first(ring + 1); ++v) {
-                const Stencil4 &sy = stencil_y(c, stencils_[v]), &sz = stencil_z(c, stencils_[v]);
-                const Real force = weight_x * component(f[v]);
-                for (std::size_t m = 0; m < 4; ++m) {
-                    Real* row = &F(i, sy.first + static_cast<Index>(m), sz.first);
-                    const Real a = force * sy.weight[m];
-                    for (std::size_t n = 0; n < 4; ++n) row[n] += a * sz.weight[n];
+    const Stencil4& x = stencil_x(c, ring);
+    std::array<Real, 4> weight_x;
+    for (std::size_t l = 0; l < 4; ++l) weight_x[l] = inv_volume * x.weight[l];
+    const auto component = component_of_vector(c);
+    with_widths(kernels_, c, [&](auto ny, auto) {
+        for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v) {
+            const Stencil4 y = stencils_y(c)[v], z = stencils_z(c)[v];
+            const Real force = f[v].*component;
+            for (Index i = begin; i < end; ++i) {
+                const Real plane_force = weight_x[static_cast<std::size_t>(i - x.first)] * force;
+                Real* row = &F(i, y.first, z.first);
+                for (std::size_t m = 0; m < ny; ++m, row += F.stride_y) {
+                    const Real row_force = plane_force * y.weight[m];
+                    for (std::size_t n = 0; n < 4; ++n) row[n] += row_force * z.weight[n];
                 }
             }
         }
@@ -144,26 +194,35 @@ void Transfer::gather(Location c, const Array<Vec3>& f, View<Real> F) const
 
 void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity)
 {
-    if (kernels_.sharpening != 0) sharpen(support(c, 0), u_field.view(), scratch_.view());
-    const View<const Real> u = kernels_.sharpening != 0 ? scratch_.view() : u_field.view();
+    View<const Real> u = u_field.view();
+    if (kernels_.sharpening != 0) {
+        const View<Real> sharp = scratch_.view();
+        const Box b = support(c, 0);
+        const Real a = kernels_.sharpening;
+        for_range(b.begin[0], b.end[0], [=](Index i) { sharpen_plane(a, b, i, u, sharp); });
+        u = sharp;
+    }
+    const auto component = component_of_vector(c);
     Vec3* out = velocity.data();
-    for_range(tube_->moving_begin(), tube_->moving_end(), [&, u, out](Index v) {
-        const Stencil4& sx = stencil_x(c, v / tube_->ring_size);
-        const Stencil4 &sy = stencil_y(c, stencils_[v]), &sz = stencil_z(c, stencils_[v]);
-        Real sum = 0;
-        for (std::size_t l = 0; l < 4; ++l) {
-            if (sx.weight[l] == 0) continue;
-            Real plane = 0;
-            for (std::size_t m = 0; m < 4; ++m) {
-                const Real* row = &u(sx.first + static_cast<Index>(l),
-                                     sy.first + static_cast<Index>(m), sz.first);
-                Real line = 0;
-                for (std::size_t n = 0; n < 4; ++n) line += sz.weight[n] * row[n];
-                plane += sy.weight[m] * line;
+    const auto nx =
+        static_cast<std::size_t>(node_count(c == Location::u ? kernels_.along : kernels_.across));
+    with_widths(kernels_, c, [&](auto ny, auto nz) {
+        for_range(tube_->moving_begin(), tube_->moving_end(), [=, this](Index v) {
+            const Stencil4& x = stencil_x(c, v / tube_->ring_size);
+            const Stencil4 &y = stencils_y(c)[v], &z = stencils_z(c)[v];
+            Real sum = 0;
+            for (std::size_t l = 0; l < nx; ++l) {
+                Real plane = 0;
+                const Real* row = &u(x.first + static_cast<Index>(l), y.first, z.first);
+                for (std::size_t m = 0; m < ny; ++m, row += u.stride_y) {
+                    Real line = 0;
+                    for (std::size_t n = 0; n < nz; ++n) line += z.weight[n] * row[n];
+                    plane += y.weight[m] * line;
+                }
+                sum += x.weight[l] * plane;
             }
-            sum += sx.weight[l] * plane;
-        }
-        (c == Location::u ? out[v].x : c == Location::v ? out[v].y : out[v].z) = sum;
+            out[v].*component = sum;
+        });
     });
 }
 

@@ -33,33 +33,43 @@ public:
     void interpolate(Location c, const ScalarField& u, Array<Vec3>& velocity);
 
 private:
-    /// Weights across x of one vertex; along y for v, along z for w.
-    struct VertexStencils {
-        Stencil4 y_cell, y_face, z_cell, z_face;
+    /// Weights of all vertices along one direction: for components along it and across it.
+    struct Stencils {
+        Array<Stencil4> along, across;
     };
     struct RingStencils {
         Stencil4 x_cell, x_face;
     };
-    void gather(Location c, const Array<Vec3>& f, View<Real> F) const;
-    void sharpen(const Box& b, View<const Real> from, View<Real> to) const;
+    /// Smallest and largest coordinate of the vertices that spread, in spacings from the side of
+    /// the box; `inside` unless one is not finite or too close to a side.
+    struct Extent {
+        Real low, high;
+        bool inside;
+    };
+    Extent extent(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h,
+                  Index cells) const;
+    void weigh(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h, Stencils& s);
+    void gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const;
+    /// Adds the forces of a ring to the planes begin <= i < end, all within its reach.
+    void add_ring(Location c, Index ring, const Array<Vec3>& f, Index begin, Index end,
+                  View<Real> F) const;
     Box support(Location c, Index margin) const;
     const Stencil4& stencil_x(Location c, Index ring) const;
-    const Stencil4& stencil_y(Location c, const VertexStencils& s) const
+    const Stencil4* stencils_y(Location c) const
     {
-        return c == Location::v ? s.y_face : s.y_cell;
+        return c == Location::v ? y_.along.data() : y_.across.data();
     }
-    const Stencil4& stencil_z(Location c, const VertexStencils& s) const
+    const Stencil4* stencils_z(Location c) const
     {
-        return c == Location::w ? s.z_face : s.z_cell;
+        return c == Location::w ? z_.along.data() : z_.across.data();
     }
 
     Grid grid_;
     const Tube* tube_;
     KernelPair kernels_;
     RingRange spreading_;
-    std::vector<RingStencils> ring_stencils_;     ///< x never changes: computed once
-    std::array<std::vector<RingRange>, 2> reach_; ///< rings that reach a plane; 0: cells, 1: faces
-    Array<VertexStencils> stencils_;
+    std::vector<RingStencils> ring_stencils_; ///< x never changes: computed once
+    Stencils y_, z_;
     Box reached_;         ///< nodes of any component that some stencil reaches
     ScalarField scratch_; ///< what is to be sharpened, or has been; zero halos
 };

@@ -15,6 +15,7 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt)
 #pragma omp parallel for schedule(static) reduction(max : largest) reduction(+ : sum)
         for (Index i = b.begin[0]; i < b.end[0]; ++i)
             for (Index j = b.begin[1]; j < b.end[1]; ++j)
+#pragma omp simd reduction(max : largest) reduction(+ : sum)
                 for (Index k = b.begin[2]; k < b.end[2]; ++k) {
                     largest = std::max(largest, std::abs(f(i, j, k)));
                     sum += 0 * f(i, j, k); // NaN if any value is not finite

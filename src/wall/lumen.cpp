@@ -13,11 +13,6 @@ Real turn(const Vec3& a, const Vec3& b, const Vec3& c)
     return (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
 }
 
-bool cross_each_other(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
-{
-    return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
-}
-
 } // namespace
 
 Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
@@ -28,9 +23,12 @@ Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
     const auto side = [&](const Vec3& q) { return d.y * (q.z - p[a].z) - d.z * (q.y - p[a].y); };
     Real width = no_gap;
     bool faces = false;
-    Real s = side(p[(a + 1) % n]);
-    for (VertexIndex m = 1; m + 1 < n; ++m) { // the sides that do not end in a
-        const Vec3 &b = p[(a + m) % n], &c = p[(a + m + 1) % n];
+    VertexIndex m = a + 1 < n ? a + 1 : 0;
+    Real s = side(p[m]);
+    for (VertexIndex sides = n - 2; sides > 0; --sides) { // those that do not end in a
+        const Vec3& b = p[m];
+        m = m + 1 < n ? m + 1 : 0;
+        const Vec3& c = p[m];
         const Real t = side(c);
         if ((s < 0) != (t < 0)) {
             const Vec3 hit = b + s / (s - t) * (c - b) - p[a];
@@ -66,11 +64,18 @@ bool crosses_itself(const Tube& tube, const Array<Vec3>& x, Index ring)
 {
     const VertexIndex n = tube.ring_size;
     const Vec3* p = &x[tube.first(ring)];
-    for (VertexIndex a = 0; a < n; ++a)
-        for (VertexIndex b = a + 2; b < n; ++b) {
-            if (a == 0 && b + 1 == n) continue; // neighbours
-            if (cross_each_other(p[a], p[a + 1], p[b], p[(b + 1) % n])) return true;
+    for (VertexIndex a = 0; a + 2 < n; ++a) {
+        const Vec3 &begin = p[a], &end = p[a + 1];
+        // side n - 1 is a neighbour of side 0
+        const VertexIndex last = a == 0 ? n - 2 : n - 1;
+        bool left = turn(begin, end, p[a + 2]) > 0;
+        for (VertexIndex b = a + 2; b <= last; ++b) {
+            const Vec3 &c = p[b], &d = p[b + 1 < n ? b + 1 : 0];
+            const bool next_left = turn(begin, end, d) > 0;
+            if (left != next_left && (turn(c, d, begin) > 0) != (turn(c, d, end) > 0)) return true;
+            left = next_left;
         }
+    }
     return false;
 }
 

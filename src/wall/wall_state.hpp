@@ -1,6 +1,7 @@
 #pragma once
 /// What the wall remembers from one step to the next; part of a checkpoint.
 #include "core/array.hpp"
+#include "core/for_each.hpp"
 #include "wall/tube.hpp"
 
 namespace starling {
@@ -18,8 +19,10 @@ struct WallState {
     /// x += dt velocity for the vertices that may move. (29)
     void move(const Tube& tube, Real dt)
     {
-        for (VertexIndex v = tube.moving_begin(); v < tube.moving_end(); ++v)
-            x[v] += dt * velocity[v];
+        Vec3* position = x.data();
+        const Vec3* U = velocity.data();
+        for_range(tube.moving_begin(), tube.moving_end(),
+                  [=](Index v) { position[v] += dt * U[v]; });
     }
 };
 

@@ -222,13 +222,18 @@ INSTANTIATE_TEST_SUITE_P(Transfer, AnyPair, testing::Values(cosine, splines, sha
 TEST(Transfer, RigidTubeReceivesAndSpreadsNothing)
 {
     BoxedTube stage(0.3, {.length = 4, .rigid = true});
-    Transfer transfer(stage.g, stage.tube, cosine, stage.tube.moving_rings());
-    EXPECT_TRUE(transfer.update(stage.wall.x));
-    Array<Vec3> f(stage.wall.x.size());
+    Array<Vec3> f(stage.wall.x.size()), U(stage.wall.x.size());
     f.fill({1, 1, 1});
-    ScalarField rhs(stage.g);
-    for (Location c : components) transfer.spread(c, f, rhs);
-    EXPECT_TRUE(std::ranges::all_of(rhs.values(), [](Real a) { return a == 0; }));
+    for (KernelPair kernels : {cosine, sharpened}) {
+        Transfer transfer(stage.g, stage.tube, kernels, stage.tube.moving_rings());
+        EXPECT_TRUE(transfer.update(stage.wall.x));
+        ScalarField rhs(stage.g);
+        for (Location c : components) {
+            transfer.spread(c, f, rhs);
+            transfer.interpolate(c, rhs, U);
+        }
+        EXPECT_TRUE(std::ranges::all_of(rhs.values(), [](Real a) { return a == 0; }));
+    }
 }
 
 /// Component c of u at p, in the middle of the deforming part: a tube with a ring through p.
