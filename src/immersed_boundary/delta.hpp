@@ -17,7 +17,10 @@ enum class Kernel {
 };
 
 /// Number of nodes that can have weight: the first so many of a stencil.
-constexpr Index node_count(Kernel kernel) { return kernel == Kernel::quadratic_bspline ? 3 : 4; }
+constexpr std::size_t node_count(Kernel kernel)
+{
+    return kernel == Kernel::quadratic_bspline ? 3 : 4;
+}
 
 /// Weights at coordinate s, in spacings from node 0. s must be finite and fit an int.
 inline Stencil4 delta_weights(Kernel kernel, Real s)

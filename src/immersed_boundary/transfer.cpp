@@ -24,7 +24,7 @@ void with_widths(const KernelPair& kernels, Location c, F f)
         call(Width<4>{}, Width<4>{});
 }
 
-Real Vec3::* component_of_vector(Location c)
+Real Vec3::*component_of_vector(Location c)
 {
     return c == Location::u ? &Vec3::x : c == Location::v ? &Vec3::y : &Vec3::z;
 }
@@ -51,9 +51,9 @@ void sharpen_plane(Real a, const Box& b, Index i, View<const Real> from, View<Re
 } // namespace
 
 Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange spreading)
-    : grid_(g), tube_(&tube), kernels_(kernels), spreading_(spreading),
-      y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
-         Array<Stencil4>(static_cast<Index>(tube.X.size()))},
+    : grid_(g), tube_(&tube), kernels_(kernels),
+      spreading_(spreading), y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
+                                Array<Stencil4>(static_cast<Index>(tube.X.size()))},
       z_(y_), scratch_(g)
 {
     const Real h = g.spacing().x;
@@ -73,8 +73,8 @@ const Stencil4& Transfer::stencil_x(Location c, Index ring) const
     return c == Location::u ? s.x_face : s.x_cell;
 }
 
-Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin,
-                                  Real h, Index cells) const
+Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
+                                  Index cells) const
 {
     const Vec3* position = x.data();
     const Real inverse = 1 / h, top = static_cast<Real>(cells - 2);
@@ -91,7 +91,7 @@ Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::* coordinate,
     return {low, high, bad == 0};
 }
 
-void Transfer::weigh(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h,
+void Transfer::weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
                      Stencils& stencils)
 {
     const Vec3* position = x.data();
@@ -204,8 +204,7 @@ void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& 
     }
     const auto component = component_of_vector(c);
     Vec3* out = velocity.data();
-    const auto nx =
-        static_cast<std::size_t>(node_count(c == Location::u ? kernels_.along : kernels_.across));
+    const std::size_t nx = node_count(c == Location::u ? kernels_.along : kernels_.across);
     with_widths(kernels_, c, [&](auto ny, auto nz) {
         for_range(tube_->moving_begin(), tube_->moving_end(), [=, this](Index v) {
             const Stencil4& x = stencil_x(c, v / tube_->ring_size);

@@ -46,9 +46,9 @@ private:
         Real low, high;
         bool inside;
     };
-    Extent extent(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h,
+    Extent extent(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
                   Index cells) const;
-    void weigh(const Array<Vec3>& x, Real Vec3::* coordinate, Real origin, Real h, Stencils& s);
+    void weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h, Stencils& s);
     void gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const;
     /// Adds the forces of a ring to the planes begin <= i < end, all within its reach.
     void add_ring(Location c, Index ring, const Array<Vec3>& f, Index begin, Index end,

@@ -13,34 +13,57 @@ Real turn(const Vec3& a, const Vec3& b, const Vec3& c)
     return (b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y);
 }
 
+/// Where a ray first meets a side, and whether that faces it.
+struct Hit {
+    Real distance = no_gap;
+    bool faces = false;
+};
+
+/// From a corner of a polygon along d in its plane.
+struct Ray {
+    Vec3 from, d;
+
+    /// Positive on the left of the ray's line.
+    Real side(const Vec3& q) const { return d.y * (q.z - from.z) - d.z * (q.y - from.y); }
+
+    /// Whether all of `count` corners lie on one side of the line.
+    bool passes(const Vec3* corner, VertexIndex count) const
+    {
+        const Ray ray = *this;
+        Real right = 0;
+#pragma omp simd reduction(+ : right)
+        for (VertexIndex m = 0; m < count; ++m) right += ray.side(corner[m]) < 0 ? 1.0 : 0.0;
+        return right == 0 || right == count;
+    }
+
+    /// Replaces the hit by that on the side b c if it comes first.
+    void meet(const Vec3& b, const Vec3& c, Hit& nearest) const
+    {
+        const Real s = side(b), t = side(c);
+        if ((s < 0) == (t < 0)) return;
+        const Real distance = dot(b + s / (s - t) * (c - b) - from, d);
+        if (distance > 0 && distance < nearest.distance)
+            nearest = {distance, d.y * (c.z - b.z) - d.z * (c.y - b.y) > facing * norm(c - b)};
+    }
+};
+
 } // namespace
 
 Real lumen_width(const Vec3* p, VertexIndex n, VertexIndex a)
 {
     // corners run counter-clockwise in (y, z): the inside is on the left
     const Vec3 along = p[(a + 1) % n] - p[(a + n - 1) % n];
-    const Vec3 d = (1 / norm(along)) * Vec3{0, -along.z, along.y};
-    const auto side = [&](const Vec3& q) { return d.y * (q.z - p[a].z) - d.z * (q.y - p[a].y); };
-    Real width = no_gap;
-    bool faces = false;
-    VertexIndex m = a + 1 < n ? a + 1 : 0;
-    Real s = side(p[m]);
-    for (VertexIndex sides = n - 2; sides > 0; --sides) { // those that do not end in a
-        const Vec3& b = p[m];
-        m = m + 1 < n ? m + 1 : 0;
-        const Vec3& c = p[m];
-        const Real t = side(c);
-        if ((s < 0) != (t < 0)) {
-            const Vec3 hit = b + s / (s - t) * (c - b) - p[a];
-            const Real distance = dot(hit, d);
-            if (distance > 0 && distance < width) {
-                width = distance;
-                faces = d.y * (c.z - b.z) - d.z * (c.y - b.y) > facing * norm(c - b);
-            }
-        }
-        s = t;
+    const Ray ray{p[a], (1 / norm(along)) * Vec3{0, -along.z, along.y}};
+    const auto corner = [=](VertexIndex m) { return p + (a + m < n ? a + m : a + m - n); };
+    Hit nearest;
+    constexpr VertexIndex block = 16;
+    for (VertexIndex m = 1; m + 1 < n; m += block) { // the sides that do not end in a
+        const VertexIndex last = std::min(m + block, n - 1);
+        const bool in_a_row = a + m >= n || a + last < n;
+        if (in_a_row && ray.passes(corner(m), last + 1 - m)) continue;
+        for (VertexIndex q = m; q < last; ++q) ray.meet(*corner(q), *corner(q + 1), nearest);
     }
-    return faces ? width : no_gap;
+    return nearest.faces ? nearest.distance : no_gap;
 }
 
 Real smallest_gap(const Tube& tube, const Array<Vec3>& x, Index ring)

@@ -19,17 +19,20 @@ MeshFilter::MeshFilter(const Tube& tube, Real rate)
 }
 
 /// out = (L/1.5) in at the moving vertices; zero elsewhere.
-void MeshFilter::high_pass(const Array<Vec3>& in, Array<Vec3>& out) const
+void MeshFilter::high_pass(const Array<Across>& in, Array<Across>& out) const
 {
     const Index first = tube_->moving_begin();
-    const Vec3* from = in.data();
-    Vec3* to = out.data();
+    const Across* from = in.data();
+    Across* to = out.data();
     for_range(first, tube_->moving_end(), [this, first, from, to](Index v) {
         const auto n = static_cast<std::size_t>(v - first);
-        Vec3 sum;
-        for (std::size_t m = begin_[n]; m < begin_[n + 1]; ++m) sum += from[neighbours_[m]];
-        const Real count = static_cast<Real>(begin_[n + 1] - begin_[n]);
-        to[v] = (1 / 1.5) * (from[v] - (1 / count) * sum);
+        Across sum{};
+        for (std::size_t m = begin_[n]; m < begin_[n + 1]; ++m) {
+            const Across& neighbour = from[neighbours_[m]];
+            sum = {sum.y + neighbour.y, sum.z + neighbour.z};
+        }
+        const Real share = 1 / static_cast<Real>(begin_[n + 1] - begin_[n]);
+        to[v] = {(1 / 1.5) * (from[v].y - share * sum.y), (1 / 1.5) * (from[v].z - share * sum.z)};
     });
 }
 
@@ -37,16 +40,16 @@ void MeshFilter::add_velocity(WallState& wall, Real dt)
 {
     const Index first = tube_->moving_begin(), last = tube_->moving_end();
     const Vec3 *x = wall.x.data(), *X = tube_->X.data();
-    Vec3* d = a_.data();
-    for_range(first, last, [=](Index v) { d[v] = x[v] - X[v]; });
+    Across* d = a_.data();
+    for_range(first, last, [=](Index v) { d[v] = {x[v].y - X[v].y, x[v].z - X[v].z}; });
     high_pass(a_, b_);
     high_pass(b_, a_);
     high_pass(a_, b_);
     high_pass(b_, a_);
     const Real rate = std::min(rate_, 1 / dt);
-    const Vec3* Hd = a_.data();
+    const Across* Hd = a_.data();
     Vec3* U = wall.velocity.data();
-    for_range(first, last, [=](Index v) { U[v] -= rate * Hd[v]; });
+    for_range(first, last, [=](Index v) { U[v] -= Vec3{0, rate * Hd[v].y, rate * Hd[v].z}; });
 }
 
 } // namespace starling

@@ -20,13 +20,17 @@ public:
     void add_velocity(WallState& wall, Real dt);
 
 private:
-    void high_pass(const Array<Vec3>& in, Array<Vec3>& out) const;
+    /// The part across x: vertices never leave their x.
+    struct Across {
+        Real y, z;
+    };
+    void high_pass(const Array<Across>& in, Array<Across>& out) const;
 
     const Tube* tube_;
     Real rate_;
     std::vector<VertexIndex> neighbours_; ///< of the moving vertices
     std::vector<std::size_t> begin_;
-    Array<Vec3> a_, b_;
+    Array<Across> a_, b_;
 };
 
 } // namespace starling
