@@ -1,5 +1,8 @@
 #include "immersed_boundary/ghost_nodes.hpp"
 
+#include <cstring>
+#include <numeric>
+
 #include "immersed_boundary/bracket.hpp"
 #include "wall/cross_section.hpp"
 
@@ -25,15 +28,30 @@ std::pair<Index, Index> neighbours_of_cell(Index cell, Real s)
     return {s > 1 - 1e-9 ? cell : cell - 1, s < 1e-9 ? cell + 1 : cell + 2};
 }
 
-/// Sum of the second differences at q with the weights of a stencil.
-Real second_differences(const Real* q, const std::array<Index, 3>& stride,
-                        const std::array<Real, 6>& weight)
+/// The next node that is marked; there must be one.
+const std::uint8_t* next_marked(const std::uint8_t* mask)
 {
-    Real sum = 0;
+    std::uint64_t eight = 0;
+    for (;; mask += sizeof(eight)) {
+        std::memcpy(&eight, mask, sizeof(eight));
+        if (eight != 0) break;
+    }
+    while (!*mask) ++mask;
+    return mask;
+}
+
+/// Sums of the second differences at q and at the node after it, with the weights of a stencil.
+std::array<Real, 2> second_differences(const Real* q, const std::array<Index, 3>& stride,
+                                       const std::array<Real, 6>& weight)
+{
+    std::array<Real, 2> sum{};
     for (std::size_t d = 0; d < 3; ++d) {
         const Index along = stride[d], e = stride[(d + 1) % 3], f = stride[(d + 2) % 3];
-        sum += weight[d] * (q[along] - 2 * q[0] + q[-along]) +
-               weight[d + 3] * (q[e + f] - q[e - f] - q[f - e] + q[-e - f]) / 4;
+        for (std::size_t n = 0; n < 2; ++n) {
+            const Real* r = q + n;
+            sum[n] += weight[d] * (r[along] - 2 * r[0] + r[-along]) +
+                      weight[d + 3] * (r[e + f] - r[e - f] - r[f - e] + r[-e - f]) / 4;
+        }
     }
     return sum;
 }
@@ -44,8 +62,8 @@ GhostNodes::GhostNodes(const Grid& g, const Tube& tube, Location component,
                        std::vector<char> active_planes)
     : grid_(g), tube_(&tube), component_(component), active_planes_(std::move(active_planes)),
       nodes_(g.unknowns(component)), mask_(g), index_(g),
+      near_begin_(static_cast<std::size_t>(g.nx() + 2), 0),
       ghost_begin_(static_cast<std::size_t>(g.nx() + 2), 0),
-      resting_(static_cast<std::size_t>(g.nx() + 1)),
       plane_begin_(static_cast<std::size_t>(g.nx() + 2), 0)
 {
 }
@@ -62,16 +80,15 @@ void GhostNodes::for_neighbours(const NearNode& n, F f) const
     constexpr std::array<std::array<int, 3>, 6> steps = {
         {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}}};
     for (const auto& [di, dj, dk] : steps)
-        if (exists(n.i + di, n.j + dj, n.k + dk))
-            f(NearNode{n.i + di, n.j + dj, n.k + dk, false, n.intercept});
+        if (exists(n.i + di, n.j + dj, n.k + dk)) f(n.i + di, n.j + dj, n.k + dk);
 }
 
 bool GhostNodes::touches_other_side(const Field<std::uint8_t>& inside, const NearNode& n) const
 {
     const auto flags = inside.view();
+    const std::uint8_t own = flags(n.i, n.j, n.k);
     bool touches = false;
-    for_neighbours(
-        n, [&](const NearNode& m) { touches |= flags(m.i, m.j, m.k) != flags(n.i, n.j, n.k); });
+    for_neighbours(n, [&](Index i, Index j, Index k) { touches |= flags(i, j, k) != own; });
     return touches;
 }
 
@@ -128,15 +145,12 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     s.near_wall.reserve(room);
     candidates_.reserve(room);
     turned_.reserve(room);
-    ghost_index_.reserve(room);
     offsets_.reserve(room);
     source_.reserve(room);
     stencils_.reserve(room);
-    suspect_.reserve(room);
+    flags_.reserve(room);
+    found_.reserve(room);
     values_.reserve(room);
-    // the neighbours of a section's outline, from its plane and the two beside it
-    const auto outline = static_cast<std::size_t>(16 * (nodes_.end[1] + nodes_.end[2]));
-    for (auto& plane : resting_) plane.reserve(outline);
     beside_rigid_wall_.assign(active_planes_.size(), 0); // search everywhere once
     update(search, s);
     const Real reach = 3 * std::max({grid_.spacing().x, grid_.spacing().y, grid_.spacing().z});
@@ -146,32 +160,36 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
             grid_.x(component_, i) > tube_->x_clamp_out() + reach;
 }
 
-void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s, bool most)
+/// Lists in found_ the nodes for which f holds, in their order.
+template <class F>
+void GhostNodes::find(GhostState& s, F f)
 {
-    NearNode* all = s.near_wall.data();
-    const auto nodes = static_cast<Index>(s.near_wall.size());
+    flags_.resize(s.near_wall.size());
+    char* flags = flags_.data();
+    NearNode* nodes = s.near_wall.data();
+    const auto count = static_cast<Index>(s.near_wall.size());
+    for_range(0, count, [=](Index n) { flags[n] = f(nodes[n]); });
+    found_.clear();
+    for (Index n = 0; n < count; ++n)
+        if (flags[n]) found_.push_back(nodes + n);
+}
+
+void GhostNodes::search_missing(const InterceptSearch& search, GhostState& s)
+{
+    NearNode* nodes = s.near_wall.data();
     const auto index = index_.view();
-    const auto for_all = [=](auto f) { // a few nodes are not worth waking threads for
-        if (most)
-            for_range(0, nodes, f);
-        else
-            for (Index n = 0; n < nodes; ++n) f(n);
-    };
-    for_all([this, &search, all, index](Index n) {
-        NearNode& node = all[n];
+    for_range(0, static_cast<Index>(s.near_wall.size()), [=, this, &search](Index n) {
+        NearNode& node = nodes[n];
         index(node.i, node.j, node.k) = static_cast<std::int32_t>(n);
         if (!node.searched) node.intercept = search.walk(position(node), node.intercept.element);
     });
-    suspect_.resize(s.near_wall.size());
-    char* suspect = suspect_.data();
-    for_all([this, &s, all, suspect](Index n) {
-        suspect[n] =
-            !all[n].searched && all[n].intercept.outside && follows_another_wall(s, all[n]);
+    find(s, [this, &s](NearNode& node) {
+        const bool suspect =
+            !node.searched && node.intercept.outside && follows_another_wall(s, node);
+        node.searched = true;
+        return suspect;
     });
-    for (std::size_t n = 0; n < suspect_.size(); ++n) {
-        if (suspect_[n]) search_from_each_other(search, s, s.near_wall[n]);
-        all[n].searched = true;
-    }
+    for (NearNode* suspect : found_) search_from_each_other(search, s, *suspect);
 }
 
 template <class Ghosts, class F>
@@ -179,9 +197,9 @@ void GhostNodes::for_neighbours_across(Ghosts& s, const NearNode& n, F f) const
 {
     const auto inside = s.inside.view();
     const auto index = index_.view();
-    for_neighbours(n, [&](const NearNode& m) {
-        if (inside(m.i, m.j, m.k) != inside(n.i, n.j, n.k))
-            f(s.near_wall[static_cast<std::size_t>(index(m.i, m.j, m.k))]);
+    const std::uint8_t own = inside(n.i, n.j, n.k);
+    for_neighbours(n, [&](Index i, Index j, Index k) {
+        if (inside(i, j, k) != own) f(s.near_wall[static_cast<std::size_t>(index(i, j, k))]);
     });
 }
 
@@ -219,20 +237,37 @@ void GhostNodes::search_from_each_other(const InterceptSearch& search, GhostStat
 // A node turns over only where the wall has passed it by a twentieth of a spacing. The flow with
 // the node inside differs a little from that with the node outside: without indifference a wall
 // that comes to rest on a node goes to and fro for ever.
-Index GhostNodes::turn_over(GhostState& s)
+void GhostNodes::turn_over(GhostState& s)
 {
     constexpr Real indifference = 0.05;
     const Real band = indifference * grid_.spacing().x;
     const auto inside = s.inside.view();
+    find(s, [=](const NearNode& node) {
+        const bool now_inside = !node.intercept.outside;
+        return (inside(node.i, node.j, node.k) != 0) != now_inside &&
+               node.intercept.squared_distance >= band * band;
+    });
     turned_.clear();
-    for (const NearNode& node : s.near_wall) {
-        std::uint8_t& flag = inside(node.i, node.j, node.k);
-        const std::uint8_t now = node.intercept.outside ? 0 : 1;
-        if (flag == now || node.intercept.squared_distance < band * band) continue;
-        flag = now;
-        turned_.push_back(node);
+    for (const NearNode* node : found_) {
+        inside(node->i, node->j, node->k) = node->intercept.outside ? 0 : 1;
+        turned_.push_back(*node);
     }
-    return static_cast<Index>(turned_.size());
+}
+
+/// Adds the candidates to the nodes, both in memory order, after nodes that are the same. Returns a
+/// place before which nothing has changed.
+std::size_t GhostNodes::merge_candidates(std::vector<NearNode>& nodes)
+{
+    std::size_t node = nodes.size(), candidate = candidates_.size();
+    nodes.resize(node + candidate);
+    while (candidate > 0) {
+        const std::size_t to = node + candidate - 1;
+        if (node > 0 && in_memory_order(candidates_[candidate - 1], nodes[node - 1]))
+            nodes[to] = nodes[--node];
+        else
+            nodes[to] = candidates_[--candidate];
+    }
+    return node > 0 ? node - 1 : 0; // may be the same as the first candidate
 }
 
 // Nodes next to a turned node may now touch the other side; their search starts where the turned
@@ -242,36 +277,35 @@ void GhostNodes::rebuild(GhostState& s)
     candidates_.clear();
     for (const NearNode& n : turned_) {
         candidates_.push_back(n);
-        for_neighbours(n, [&](const NearNode& m) { candidates_.push_back(m); });
+        for_neighbours(n, [&](std::int32_t i, std::int32_t j, std::int32_t k) {
+            candidates_.push_back({i, j, k, false, n.intercept});
+        });
     }
     std::sort(candidates_.begin(), candidates_.end(), [](const NearNode& a, const NearNode& b) {
         return same_node(a, b) ? a.intercept.element < b.intercept.element : in_memory_order(a, b);
     });
-    // old nodes come first among equals
-    const auto old = static_cast<std::ptrdiff_t>(candidates_.size());
-    candidates_.insert(candidates_.end(), s.near_wall.begin(), s.near_wall.end());
-    s.near_wall.resize(candidates_.size());
-    std::merge(candidates_.begin() + old, candidates_.end(), candidates_.begin(),
-               candidates_.begin() + old, s.near_wall.begin(), in_memory_order);
-    for (std::size_t n = 1; n < s.near_wall.size(); ++n)
-        if (same_node(s.near_wall[n - 1], s.near_wall[n])) s.near_wall[n - 1].searched = false;
-    s.near_wall.erase(std::unique(s.near_wall.begin(), s.near_wall.end(), same_node),
-                      s.near_wall.end());
-    std::erase_if(s.near_wall, [&](const NearNode& n) {
-        return !n.searched && !touches_other_side(s.inside, n);
-    });
+    auto& nodes = s.near_wall;
+    std::size_t n = merge_candidates(nodes), kept = n;
+    while (n < nodes.size()) {
+        NearNode node = nodes[n];
+        for (++n; n < nodes.size() && same_node(nodes[n], node); ++n) node.searched = false;
+        if (node.searched || touches_other_side(s.inside, node)) nodes[kept++] = node;
+    }
+    nodes.resize(kept);
 }
 
 bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
 {
     constexpr int most_sweeps = 8;
-    for (NearNode& n : s.near_wall) n.searched = beside_rigid_wall_[static_cast<std::size_t>(n.i)];
+    NearNode* nodes = s.near_wall.data();
+    const char* rests = beside_rigid_wall_.data();
+    for_range(0, static_cast<Index>(s.near_wall.size()),
+              [=](Index n) { nodes[n].searched = rests[nodes[n].i]; });
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        search_missing(search, s, sweep == 0);
-        if (turn_over(s) == 0) {
-            mark_ghosts(s);
-            make_stencils(s);
-            list_nodes(s);
+        search_missing(search, s);
+        turn_over(s);
+        if (turned_.empty()) {
+            prescribe(s);
             return true;
         }
         rebuild(s);
@@ -279,77 +313,79 @@ bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
     return false;
 }
 
-void GhostNodes::mark_ghosts(const GhostState& s)
+// Ghosts and nodes at rest, plane by plane in memory order.
+void GhostNodes::prescribe(const GhostState& s)
+{
+    const auto mask = mask_.view();
+    const Index* before = offsets_.data();
+    for_range(0, static_cast<Index>(offsets_.size()), [=](Index n) { mask.data[before[n]] = 0; });
+    const auto planes = static_cast<Index>(active_planes_.size());
+    for (Index i = 0; i <= planes; ++i)
+        near_begin_[static_cast<std::size_t>(i)] =
+            std::partition_point(s.near_wall.begin(), s.near_wall.end(),
+                                 [i](const NearNode& n) { return n.i < i; }) -
+            s.near_wall.begin();
+    for_range(0, planes, [this, &s](Index i) { mark_plane(s, static_cast<std::size_t>(i)); });
+    std::partial_sum(ghost_begin_.begin(), ghost_begin_.end(), ghost_begin_.begin());
+    std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
+    stencils_.resize(static_cast<std::size_t>(ghost_begin_.back()));
+    const auto nodes = static_cast<std::size_t>(plane_begin_.back());
+    offsets_.resize(nodes);
+    source_.resize(nodes);
+    values_.resize(nodes);
+    for_range(0, planes, [this, &s](Index i) { list_plane(s, static_cast<std::size_t>(i)); });
+}
+
+template <class F>
+void GhostNodes::for_ghosts(const GhostState& s, std::size_t plane, F f) const
+{
+    for (Index n = near_begin_[plane]; n < near_begin_[plane + 1]; ++n) {
+        const NearNode& node = s.near_wall[static_cast<std::size_t>(n)];
+        if (!s.inside(node.i, node.j, node.k)) f(node);
+    }
+}
+
+/// Marks the ghosts and the nodes at rest of a plane and counts them.
+void GhostNodes::mark_plane(const GhostState& s, std::size_t plane)
 {
     const auto mask = mask_.view();
     const auto inside = s.inside.view();
-    for (Index offset : offsets_) mask.data[offset] = 0;
-    ghost_index_.clear();
-    std::fill(ghost_begin_.begin(), ghost_begin_.end(), 0);
-    for (std::size_t n = 0; n < s.near_wall.size(); ++n) {
-        const NearNode& node = s.near_wall[n];
-        if (inside(node.i, node.j, node.k)) continue;
-        mask(node.i, node.j, node.k) = 1;
-        ghost_index_.push_back(n);
-        ++ghost_begin_[static_cast<std::size_t>(node.i) + 1];
-    }
-    for (std::size_t i = 1; i < ghost_begin_.size(); ++i) ghost_begin_[i] += ghost_begin_[i - 1];
+    const auto own = static_cast<Index>(plane);
+    Index ghosts = 0, nodes = 0;
+    for_ghosts(s, plane, [&](const NearNode& n) {
+        mask(n.i, n.j, n.k) = 1;
+        ++ghosts;
+    });
+    const auto rest = [&](Index i, Index j, Index k) {
+        if (i != own || inside(i, j, k) || mask(i, j, k)) return;
+        mask(i, j, k) = 1;
+        ++nodes;
+    };
+    const std::size_t last = std::min(plane + 1, active_planes_.size() - 1);
+    for (std::size_t m = plane > 0 ? plane - 1 : 0; m <= last; ++m)
+        for_ghosts(s, m, [&](const NearNode& n) { for_neighbours(n, rest); });
+    ghost_begin_[plane + 1] = ghosts;
+    plane_begin_[plane + 1] = ghosts + nodes;
 }
 
-// Ghosts and nodes at rest together, plane by plane in memory order.
-void GhostNodes::list_nodes(const GhostState& s)
+/// Lists the marked nodes of a plane and makes the stencils of its ghosts.
+void GhostNodes::list_plane(const GhostState& s, std::size_t plane)
 {
     const auto mask = mask_.view();
-    find_nodes_at_rest(s);
-    offsets_.clear();
-    source_.clear();
-    for (std::size_t i = 0; i < resting_.size(); ++i) {
-        auto resting = resting_[i].begin();
-        for (Index g = ghost_begin_[i]; g < ghost_begin_[i + 1]; ++g) {
-            const NearNode& node = s.near_wall[ghost_index_[static_cast<std::size_t>(g)]];
-            const Index offset = mask.offset(node.i, node.j, node.k);
-            for (; resting != resting_[i].end() && *resting < offset; ++resting) {
-                offsets_.push_back(*resting);
-                source_.push_back(at_rest);
-            }
-            offsets_.push_back(offset);
-            source_.push_back(static_cast<std::int32_t>(g));
-        }
-        for (; resting != resting_[i].end(); ++resting) {
-            offsets_.push_back(*resting);
-            source_.push_back(at_rest);
-        }
-        plane_begin_[i + 1] = static_cast<Index>(offsets_.size());
+    const auto begin = static_cast<std::size_t>(plane_begin_[plane]);
+    const std::uint8_t* node = &mask(static_cast<Index>(plane), nodes_.begin[1], 0);
+    for (std::size_t e = begin; e < static_cast<std::size_t>(plane_begin_[plane + 1]); ++e) {
+        if (!*node) node = next_marked(node);
+        offsets_[e] = node++ - mask.data;
+        source_[e] = at_rest;
     }
-    for (Index offset : offsets_) mask.data[offset] = 1;
-    values_.resize(offsets_.size());
-}
-
-void GhostNodes::find_nodes_at_rest(const GhostState& s)
-{
-    const View<const std::uint8_t> mask = mask_.view(), inside = s.inside.view();
-    for_range(0, static_cast<Index>(resting_.size()), [this, &s, mask, inside](Index i) {
-        auto& resting = resting_[static_cast<std::size_t>(i)];
-        resting.clear();
-        const auto from = static_cast<std::size_t>(std::max<Index>(i - 1, 0));
-        const auto to = std::min(static_cast<std::size_t>(i + 2), ghost_begin_.size() - 1);
-        for (Index g = ghost_begin_[from]; g < ghost_begin_[to]; ++g)
-            for_neighbours(s.near_wall[ghost_index_[static_cast<std::size_t>(g)]],
-                           [&](const NearNode& m) {
-                               if (m.i == i && !inside(m.i, m.j, m.k) && !mask(m.i, m.j, m.k))
-                                   resting.push_back(mask.offset(m.i, m.j, m.k));
-                           });
-        std::sort(resting.begin(), resting.end());
-        resting.erase(std::unique(resting.begin(), resting.end()), resting.end());
-    });
-}
-
-void GhostNodes::make_stencils(const GhostState& s)
-{
-    stencils_.resize(ghost_index_.size());
-    for_range(0, count(), [this, &s](Index g) {
-        const auto n = static_cast<std::size_t>(g);
-        stencils_[n] = make_stencil(s, s.near_wall[ghost_index_[n]]);
+    std::size_t entry = begin;
+    Index ghost = ghost_begin_[plane];
+    for_ghosts(s, plane, [&](const NearNode& n) {
+        const Index offset = mask.offset(n.i, n.j, n.k);
+        while (offsets_[entry] != offset) ++entry;
+        source_[entry] = static_cast<std::int32_t>(ghost);
+        stencils_[static_cast<std::size_t>(ghost++)] = make_stencil(s, n);
     });
 }
 
@@ -404,10 +440,11 @@ void GhostNodes::add_curvature(const GhostState& state, const NearNode& n, Stenc
     const auto [x_first, x_last] = neighbours_of_cell(i, a);
     const auto [y_first, y_last] = neighbours_of_cell(j, b);
     const auto [z_first, z_last] = neighbours_of_cell(k, c);
+    std::uint8_t all_inside = 1;
     for (Index l = x_first; l <= x_last; ++l)
         for (Index m = y_first; m <= y_last; ++m)
-            for (Index q = z_first; q <= z_last; ++q)
-                if (!inside(l, m, q)) return;
+            for (Index q = z_first; q <= z_last; ++q) all_inside &= inside(l, m, q);
+    if (!all_inside) return;
     const std::array<Real, 3> step = {D.x / h.x, D.y / h.y, D.z / h.z};
     for (std::size_t d = 0; d < 3; ++d) {
         s.curvature[d] = step[d] * step[d] + s.fraction[d] * (1 - s.fraction[d]) / 2;
@@ -430,15 +467,19 @@ void GhostNodes::evaluate(const ScalarField& u_field)
         const Stencil& s = stencils_[static_cast<std::size_t>(ghost)];
         const auto& [a, b, c] = s.fraction;
         Real sum = 0;
-        for (std::size_t l = 0; l < 8; ++l) {
-            const std::size_t di = l / 4, dj = l / 2 % 2, dk = l % 2;
-            const Index corner = static_cast<Index>(di) * u.stride_x +
-                                 static_cast<Index>(dj) * u.stride_y + static_cast<Index>(dk);
-            sum += s.beta[l] * u.data[s.base + corner];
-            if (s.place != 0)
-                sum += (di ? a : 1 - a) * (dj ? b : 1 - b) * (dk ? c : 1 - c) *
-                       second_differences(u.data + s.place + corner, {u.stride_x, u.stride_y, 1},
-                                          s.curvature);
+        for (std::size_t row = 0; row < 4; ++row) {
+            const std::size_t di = row / 2, dj = row % 2;
+            const Index start =
+                static_cast<Index>(di) * u.stride_x + static_cast<Index>(dj) * u.stride_y;
+            const Real* image = u.data + s.base + start;
+            const auto curvature =
+                s.place != 0 ? second_differences(u.data + s.place + start,
+                                                  {u.stride_x, u.stride_y, 1}, s.curvature)
+                             : std::array<Real, 2>{};
+            for (std::size_t dk = 0; dk < 2; ++dk) {
+                sum += s.beta[2 * row + dk] * image[dk];
+                sum += (di ? a : 1 - a) * (dj ? b : 1 - b) * (dk ? c : 1 - c) * curvature[dk];
+            }
         }
         value = 0.5 * (u.data[offsets_[static_cast<std::size_t>(n)]] + sum);
     });

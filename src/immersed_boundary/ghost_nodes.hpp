@@ -54,7 +54,7 @@ public:
     PrescribedNodes prescribed() const;
 
     /// Ghost nodes, without the nodes at rest.
-    Index count() const { return static_cast<Index>(ghost_index_.size()); }
+    Index count() const { return ghost_begin_.back(); }
 
 private:
     struct Stencil {
@@ -74,15 +74,19 @@ private:
     void classify_planes(const Array<Vec3>& x, Field<std::uint8_t>& inside);
     template <class Ghosts, class F>
     void for_neighbours_across(Ghosts& s, const NearNode& n, F f) const;
-    void search_missing(const InterceptSearch& search, GhostState& s, bool most);
+    template <class F>
+    void find(GhostState& s, F f);
+    void search_missing(const InterceptSearch& search, GhostState& s);
     bool follows_another_wall(const GhostState& s, const NearNode& n) const;
     void search_from_each_other(const InterceptSearch& search, GhostState& s, NearNode& n);
-    Index turn_over(GhostState& s);
+    void turn_over(GhostState& s);
+    std::size_t merge_candidates(std::vector<NearNode>& nodes);
     void rebuild(GhostState& s);
-    void mark_ghosts(const GhostState& s);
-    void make_stencils(const GhostState& s);
-    void find_nodes_at_rest(const GhostState& s);
-    void list_nodes(const GhostState& s);
+    void prescribe(const GhostState& s);
+    template <class F>
+    void for_ghosts(const GhostState& s, std::size_t plane, F f) const;
+    void mark_plane(const GhostState& s, std::size_t plane);
+    void list_plane(const GhostState& s, std::size_t plane);
     Stencil make_stencil(const GhostState& s, const NearNode& n) const;
     void add_curvature(const GhostState& s, const NearNode& n, Stencil& stencil) const;
 
@@ -95,11 +99,11 @@ private:
 
     Field<std::uint8_t> mask_;
     Field<std::int32_t> index_; ///< position of a node in near_wall
-    std::vector<char> suspect_; ///< per node of near_wall: may follow the wrong wall
+    std::vector<char> flags_;   ///< per node of near_wall
+    std::vector<NearNode*> found_;
     std::vector<NearNode> turned_, candidates_;
-    std::vector<std::size_t> ghost_index_;     ///< positions of the ghosts in near_wall
+    std::vector<Index> near_begin_;            ///< node of near_wall at which plane i begins
     std::vector<Index> ghost_begin_;           ///< ghost at which plane i begins
-    std::vector<std::vector<Index>> resting_;  ///< per plane: offsets of the nodes at rest
     std::vector<Index> offsets_, plane_begin_; ///< ghosts and nodes at rest together
     std::vector<std::int32_t> source_;         ///< which ghost, or `at_rest`
     std::vector<Stencil> stencils_;            ///< per ghost
