@@ -42,6 +42,7 @@ void Coupling::initialise(const WallState& wall, GhostStates& ghosts)
 {
     const InterceptSearch search(tube_->mesh, wall.x, *geometry_);
     for (std::size_t c = 0; c < 3; ++c) ghosts_[c].initialise(wall.x, search, ghosts[c]);
+    pressure_force_.initialise(ghosts[0]);
 }
 
 bool Coupling::update(const WallState& wall, GhostStates& ghosts)

@@ -17,7 +17,7 @@ void WallPressureForce::complete(const GhostState& ghosts, const ScalarField& P,
     const Probe s{ghosts.inside.view(), P.view(), F};
     const NearNode* nodes = ghosts.near_wall.data();
     const auto count = static_cast<Index>(ghosts.near_wall.size());
-    if (missing_.size() < ghosts.near_wall.size()) missing_.resize(ghosts.near_wall.capacity());
+    missing_.resize(ghosts.near_wall.size());
     Real* missing = missing_.data();
     for_range(0, count, [=, this](Index m) {
         const NearNode& n = nodes[m];

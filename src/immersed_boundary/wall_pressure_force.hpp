@@ -18,6 +18,9 @@ public:
     /// that no longer depends on the pressure beside it nothing would hold that pressure.
     WallPressureForce(const Grid& g, const Tube& tube, Real depth);
 
+    /// Makes room for so many near nodes as the ghosts have.
+    void initialise(const GhostState& ghosts) { missing_.reserve(ghosts.near_wall.capacity()); }
+
     /// Makes dP/dx - F at the inside u-faces next to ghost nodes that of the flow farther inside,
     /// by changing F. Faces from whose ghosts no fluid is found (narrow channels) are left alone.
     void complete(const GhostState& ghosts, const ScalarField& P, ScalarField& F);
