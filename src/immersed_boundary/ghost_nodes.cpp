@@ -1,5 +1,6 @@
 #include "immersed_boundary/ghost_nodes.hpp"
 
+#include <bit>
 #include <cstring>
 #include <numeric>
 
@@ -38,6 +39,22 @@ const std::uint8_t* next_marked(const std::uint8_t* mask)
     }
     while (!*mask) ++mask;
     return mask;
+}
+
+/// Four flags in a row, turned over, as one number.
+std::uint32_t outside_of_four(const std::uint8_t* inside)
+{
+    std::uint32_t flags = 0;
+    std::memcpy(&flags, inside, sizeof(flags));
+    return flags ^ 0x01010101;
+}
+
+/// Those of four flags that stand from `first` to `last`.
+std::uint32_t between(Index first, Index last)
+{
+    std::array<std::uint8_t, 4> chosen{};
+    for (Index n = first; n <= last; ++n) chosen[static_cast<std::size_t>(n)] = 1;
+    return std::bit_cast<std::uint32_t>(chosen);
 }
 
 /// Sums of the second differences at q and at the node after it, with the weights of a stencil.
@@ -356,14 +373,22 @@ void GhostNodes::mark_plane(const GhostState& s, std::size_t plane)
         mask(n.i, n.j, n.k) = 1;
         ++ghosts;
     });
-    const auto rest = [&](Index i, Index j, Index k) {
-        if (i != own || inside(i, j, k) || mask(i, j, k)) return;
-        mask(i, j, k) = 1;
+    const auto rest = [&](Index j, Index k) {
+        if (inside(own, j, k) || mask(own, j, k)) return;
+        mask(own, j, k) = 1;
         ++nodes;
     };
-    const std::size_t last = std::min(plane + 1, active_planes_.size() - 1);
-    for (std::size_t m = plane > 0 ? plane - 1 : 0; m <= last; ++m)
-        for_ghosts(s, m, [&](const NearNode& n) { for_neighbours(n, rest); });
+    for_ghosts(s, plane, [&](const NearNode& n) {
+        if (n.j > nodes_.begin[1]) rest(n.j - 1, n.k);
+        if (n.j + 1 < nodes_.end[1]) rest(n.j + 1, n.k);
+        if (n.k > nodes_.begin[2]) rest(n.j, n.k - 1);
+        if (n.k + 1 < nodes_.end[2]) rest(n.j, n.k + 1);
+    });
+    if (own < nodes_.end[0] && active_planes_[plane]) {
+        const auto rest_beside = [&](const NearNode& n) { rest(n.j, n.k); };
+        if (plane > 0) for_ghosts(s, plane - 1, rest_beside);
+        if (plane + 1 < active_planes_.size()) for_ghosts(s, plane + 1, rest_beside);
+    }
     ghost_begin_[plane + 1] = ghosts;
     plane_begin_[plane + 1] = ghosts + nodes;
 }
@@ -440,11 +465,10 @@ void GhostNodes::add_curvature(const GhostState& state, const NearNode& n, Stenc
     const auto [x_first, x_last] = neighbours_of_cell(i, a);
     const auto [y_first, y_last] = neighbours_of_cell(j, b);
     const auto [z_first, z_last] = neighbours_of_cell(k, c);
-    std::uint8_t all_inside = 1;
+    std::uint32_t outside = 0;
     for (Index l = x_first; l <= x_last; ++l)
-        for (Index m = y_first; m <= y_last; ++m)
-            for (Index q = z_first; q <= z_last; ++q) all_inside &= inside(l, m, q);
-    if (!all_inside) return;
+        for (Index m = y_first; m <= y_last; ++m) outside |= outside_of_four(&inside(l, m, k - 1));
+    if (outside & between(z_first - (k - 1), z_last - (k - 1))) return;
     const std::array<Real, 3> step = {D.x / h.x, D.y / h.y, D.z / h.z};
     for (std::size_t d = 0; d < 3; ++d) {
         s.curvature[d] = step[d] * step[d] + s.fraction[d] * (1 - s.fraction[d]) / 2;
