@@ -52,7 +52,7 @@ std::string frames_text(const std::vector<ListedFrame>& frames)
 std::string state_text(const RunContents& run)
 {
     if (run.running) return "a run is writing to it now";
-    if (!run.ended.empty()) return "ended (" + run.ended + ")";
+    if (!run.ended.empty()) return "ended (" + run.ended.substr(0, run.ended.find('\n')) + ")";
     return "has not ended: killed, or out of disk";
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draws the results of a Starling run: profiles.png, history.png, tube.png and flow.png.
+"""Draws the results of a Starling run: profiles.png, history.png, tube.png, flow.png, and
+breakdown.png where a run has broken down.
 
 usage: plot_run.py DIR
 
@@ -283,25 +284,33 @@ def plot_tube(directory, unit):
     save(figure, directory, "tube.png")
 
 
-def wall_section(directory):
-    """Where the wall's triangles cut the plane z = 0: segments in (x, y)."""
-    with h5py.File(os.path.join(directory, "wall.h5"), "r", locking=False) as file:
-        points = last_frame(file)["points"][...].astype(float)
-        corners = points[file["triangles"][...]]
-    z = corners[:, :, 2] + 1e-9 * np.ptp(corners[:, :, 2])  # no vertex exactly in the plane
+def wall_section(corners, normal, place=0.0):
+    """Where triangles cut the plane in which coordinate `normal` is `place`: segments in the other
+    two coordinates."""
+    corners = corners[np.isfinite(corners).all(axis=(1, 2))]
+    others = [c for c in range(3) if c != normal]
+    z = corners[:, :, normal] - place + 1e-9 * np.ptp(corners[:, :, normal])  # no vertex in the plane
     crossing = []
     for a, b in ((0, 1), (1, 2), (2, 0)):
         span = z[:, a] - z[:, b]
         part = z[:, a] / np.where(span == 0, 1, span)
-        cut = corners[:, a, :2] + part[:, None] * (corners[:, b, :2] - corners[:, a, :2])
+        cut = (corners[:, a] + part[:, None] * (corners[:, b] - corners[:, a]))[:, others]
         crossing.append(np.where((z[:, a] * z[:, b] < 0)[:, None], cut, np.nan))
     crossing = np.stack(crossing, axis=1)
     hit = np.isfinite(crossing[:, :, 0])
     return [c[h] for c, h in zip(crossing, hit) if h.sum() == 2]
 
 
+def wall_corners(path, frame=-1):
+    """Corners of the triangles of a frame."""
+    with h5py.File(path, "r", locking=False) as file:
+        name = sorted(file["frames"])[frame]
+        return file["frames"][name]["points"][...].astype(float)[file["triangles"][...]]
+
+
 def plot_flow(directory, unit):
-    """Axial velocity in the plane through the axis, with the wall's outline."""
+    """Axial velocity in a plane through the axis, with the wall's outline: z = 0, or y = 0 where
+    frames hold no other."""
     if not all(os.path.exists(os.path.join(directory, name))
                for name in ("wall.h5", "fluid.h5")):
         return
@@ -309,24 +318,86 @@ def plot_flow(directory, unit):
         frame = last_frame(file)
         velocity, origin, spacing = frame["velocity"], frame.attrs["origin"], frame.attrs["spacing"]
         u_unit = unit_of(velocity)
-        middle = int(np.clip(-origin[2] / spacing[2], 1, velocity.shape[0] - 1))
-        u = velocity[middle - 1:middle + 1, :, :, 0].mean(axis=0).astype(float)
+        normal = 1 if velocity.shape[1] == 1 else 2
+        across = 3 - normal
+        u = middle_layers(velocity, origin, spacing, normal)
     x_axis, u_axis = Axis(unit, [origin[0] + spacing[0] * u.shape[1]]), Axis(u_unit, u)
-    begin, u = x_axis(origin[:2]), u_axis(u)
-    ends = begin + x_axis(spacing[:2]) * np.array(u.shape)[::-1]
+    begin, u = x_axis(origin[[0, across]]), u_axis(u)
+    ends = begin + x_axis(spacing[[0, across]]) * np.array(u.shape)[::-1]
     figure, axes = plt.subplots(figsize=(9, 3.6))
-    high = np.percentile(np.abs(u), 99.8) or 1
+    high = np.nanpercentile(np.abs(u), 99.8) or 1
     picture = axes.imshow(u, origin="lower", extent=(begin[0], ends[0], begin[1], ends[1]),
                           interpolation="bilinear", cmap="RdBu_r", vmin=-high, vmax=high)
-    wall = [x_axis(segment) for segment in wall_section(directory)]
+    corners = wall_corners(os.path.join(directory, "wall.h5"))
+    wall = [x_axis(segment) for segment in wall_section(corners, normal)]
     axes.add_collection(LineCollection(wall, colors="#20242b", linewidths=1.6, capstyle="round"))
-    axes.set(aspect="equal", xlabel=x_axis.label("$x$"), ylabel=x_axis.label("$y$"))
+    axes.set(aspect="equal", xlabel=x_axis.label("$x$"), ylabel=x_axis.label(f"${' yz'[across]}$"))
     axes.grid(False)
     axes.set_title("Axial velocity in the plane of the axis; black: the wall", loc="left")
     bar = figure.colorbar(picture, ax=axes, shrink=0.8, pad=0.02)
     bar.set_label(u_axis.label("$u$"))
     bar.outline.set_visible(False)
     save(figure, directory, "flow.png")
+
+
+def middle_layers(velocity, origin, spacing, normal):
+    """Axial velocity in the plane through the axis: the mean of the layers beside it."""
+    count = velocity.shape[2 - normal]
+    middle = int(np.clip(round(-origin[normal] / spacing[normal]), 1, max(count - 1, 1)))
+    layers = slice(max(middle - 1, 0), min(middle + 1, count))
+    layer = velocity[layers, :, :, 0] if normal == 2 else velocity[:, layers, :, 0]
+    return layer.astype(float).mean(axis=2 - normal)
+
+
+def draw_breakdown(axes, fluid, walls, normal, place, unit):
+    """Speed of the broken state in a plane through the place, with the wall before and after."""
+    velocity = fluid["velocity"][...].astype(float)
+    origin, spacing = fluid.attrs["origin"], fluid.attrs["spacing"]
+    layer = int(np.clip((place[normal] - origin[normal]) / spacing[normal], 0,
+                        velocity.shape[2 - normal] - 1))
+    speed = np.linalg.norm(np.take(velocity, layer, axis=2 - normal), axis=-1)
+    across, up = [c for c in range(3) if c != normal]
+    u_axis = Axis(unit_of(fluid["velocity"]), speed)
+    x_axis = Axis(unit, [np.max(spacing * np.array(velocity.shape[2::-1]))])
+    begin, ends = origin, origin + spacing * np.array(velocity.shape[2::-1])
+    with np.errstate(invalid="ignore"):
+        high = np.percentile(speed[np.isfinite(speed)], 99) if np.isfinite(speed).any() else 1
+    picture = axes.imshow(u_axis(speed), origin="lower", cmap="viridis", vmin=0,
+                          vmax=u_axis(high) or 1,
+                          extent=[x_axis(e) for e in (begin[across], ends[across], begin[up], ends[up])])
+    for corners, color, width in zip(walls, ("#ffffff", RED), (2.2, 1.2)):
+        section = wall_section(corners, normal, place[normal])
+        axes.add_collection(LineCollection([x_axis(s) for s in section], colors=color,
+                                           linewidths=width))
+    axes.plot(*x_axis(place[[across, up]]), marker="o", ms=14, mfc="none", mec=RED, mew=2)
+    axes.set(aspect="equal", xlabel=x_axis.label(f"${'xyz'[across]}$"),
+             ylabel=x_axis.label(f"${'xyz'[up]}$"), facecolor="#d0d0d0",
+             xlim=x_axis(np.array([begin[across], ends[across]])),
+             ylim=x_axis(np.array([begin[up], ends[up]])))
+    axes.grid(False)
+    return picture, u_axis
+
+
+def plot_breakdown(directory, unit, summary):
+    """The neighbourhood of a breakdown: across the tube and along it."""
+    paths = [os.path.join(directory, f"breakdown_{name}.h5") for name in ("wall", "fluid")]
+    if not summary.get("breakdown") or not all(os.path.exists(p) for p in paths):
+        return
+    place = np.array([summary["breakdown"][c] for c in "xyz"])
+    walls = [wall_corners(paths[0], frame) for frame in (0, -1)]
+    figure, (section, side) = plt.subplots(1, 2, figsize=(9, 4.6))
+    with h5py.File(paths[1], "r", locking=False) as file:
+        fluid = last_frame(file)
+        draw_breakdown(section, fluid, walls, 0, place, unit)
+        along = 1 if abs(place[2]) > abs(place[1]) else 2
+        picture, u_axis = draw_breakdown(side, fluid, walls, along, place, unit)
+        step = fluid.attrs["step"]
+    bar = figure.colorbar(picture, ax=side, shrink=0.8, pad=0.02)
+    bar.set_label(u_axis.label("speed"))
+    bar.outline.set_visible(False)
+    section.set_title(f"Where step {step} broke down (circle)", loc="left")
+    side.set_title("wall: white before, red then; grey: not finite", loc="left", fontsize=9)
+    save(figure, directory, "breakdown.png")
 
 
 def main():
@@ -348,6 +419,7 @@ def main():
             print("no profile.csv: the run has not ended; profiles.png left out")
         plot_tube(directory, series.units["R_max"])
         plot_flow(directory, series.units["R_max"])
+        plot_breakdown(directory, series.units["R_max"], summary)
 
 
 if __name__ == "__main__":

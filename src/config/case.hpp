@@ -9,6 +9,7 @@
 #include "flow/fluid_parameters.hpp"
 #include "grid/grid_parameters.hpp"
 #include "immersed_boundary/coupling_parameters.hpp"
+#include "solver/snapshot_parameters.hpp"
 #include "wall/wall_parameters.hpp"
 
 namespace starling {
@@ -35,6 +36,7 @@ struct OutputParameters {
     bool wall = true;
     bool fluid = true;
     bool double_precision = false; ///< 64-bit fields instead of 32-bit
+    SnapshotParameters fluid_part; ///< what fluid frames keep
 };
 
 /// Checkpoints to go on from (docs/checkpoints.md).

@@ -90,6 +90,11 @@ void read_output(CaseValues& values, OutputParameters& output)
     values.fill("output.fluid_every", output.fluid_every);
     values.fill("output.wall", output.wall);
     values.fill("output.fluid", output.fluid);
+    values.fill("output.fluid_stride", output.fluid_part.stride);
+    const std::string region = values.text("output.fluid_region", "box");
+    if (region == "tube") output.fluid_part.region = FluidRegion::tube;
+    if (region == "plane_y") output.fluid_part.region = FluidRegion::plane_y;
+    if (region == "plane_z") output.fluid_part.region = FluidRegion::plane_z;
     output.double_precision = values.text("output.precision", "single") == "double";
 }
 

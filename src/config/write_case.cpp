@@ -217,6 +217,16 @@ void write_time(CaseWriter& w, const TimeParameters& time, const StopParameters&
     if (stop.wall_clock) w.number("wall_clock", *stop.wall_clock);
 }
 
+std::string region_name(FluidRegion region)
+{
+    switch (region) {
+    case FluidRegion::tube: return "tube";
+    case FluidRegion::plane_y: return "plane_y";
+    case FluidRegion::plane_z: return "plane_z";
+    default: return "box";
+    }
+}
+
 void write_output(CaseWriter& w, const OutputParameters& output)
 {
     w.section("output");
@@ -225,6 +235,8 @@ void write_output(CaseWriter& w, const OutputParameters& output)
     if (output.fluid_every) w.measure("fluid_every", *output.fluid_every, Quantity::time);
     w.boolean("wall", output.wall);
     w.boolean("fluid", output.fluid);
+    w.text("fluid_region", region_name(output.fluid_part.region));
+    w.integer("fluid_stride", output.fluid_part.stride);
     w.text("precision", output.double_precision ? "double" : "single");
 }
 

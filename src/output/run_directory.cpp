@@ -37,6 +37,9 @@ constexpr const char* result_files[] = {"case.toml",
                                         "breakdown_wall.xdmf",
                                         "breakdown_fluid.h5",
                                         "breakdown_fluid.xdmf"};
+constexpr const char* files_of_the_end[] = {
+    "summary.json",        "profile.csv",        "sections.csv",         "breakdown_wall.h5",
+    "breakdown_wall.xdmf", "breakdown_fluid.h5", "breakdown_fluid.xdmf", "breakdown.png"};
 /// Folders of a run and what the names of its files in them begin with.
 struct ResultFolder {
     const char* name;
@@ -203,6 +206,12 @@ RunDirectory::RunDirectory(const RunDirectoryOptions& options) : path_(options.p
         unlock(path_, lock_);
         throw;
     }
+}
+
+void RunDirectory::remove_end() const
+{
+    for (const char* name : files_of_the_end) fs::remove(path_ / name);
+    for (const fs::path& file : files_in(path_, {"frames", {"breakdown_"}})) fs::remove(file);
 }
 
 RunDirectory::~RunDirectory() { unlock(path_, lock_); }

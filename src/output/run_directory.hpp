@@ -33,6 +33,9 @@ public:
     /// Whether a run is writing to the directory now.
     static bool in_use(const std::filesystem::path& path);
 
+    /// Removes the files that a run writes when it ends or breaks down.
+    void remove_end() const;
+
     const std::filesystem::path& path() const { return path_; }
     std::filesystem::path file(const char* name) const { return path_ / name; }
 

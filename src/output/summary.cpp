@@ -70,6 +70,13 @@ Json theory_json(const Summary& s, const Scaling& scaling)
     return json;
 }
 
+Json place_json(const std::optional<Vec3>& place, const Scaling& scaling)
+{
+    if (!place) return nullptr;
+    const Vec3 p = scaling.factor(Quantity::length) * *place;
+    return {{"x", p.x}, {"y", p.y}, {"z", p.z}};
+}
+
 void put_cost(Json& json, Json& units, const Summary& s)
 {
     json["wall_seconds"] = s.wall_seconds;
@@ -108,6 +115,8 @@ std::string summary_json(const Summary& summary, const Scaling& scaling)
     json["theory"] = theory_json(summary, scaling);
     units["theory.Q_1d"] = scaling.unit(Quantity::flow_rate);
     units["theory.R_max_1d"] = scaling.unit(Quantity::length);
+    json["breakdown"] = place_json(summary.breakdown, scaling);
+    units["breakdown"] = scaling.unit(Quantity::length);
     json["warnings"] = summary.warnings;
     put_cost(json, units, summary);
     json["version"] = summary.version;

@@ -34,6 +34,7 @@ struct Summary {
     std::string version;
     std::vector<std::pair<std::string, double>> phase_seconds;
     std::optional<TheoryValues> theory;
+    std::optional<Vec3> breakdown;     ///< where the computation broke down
     std::vector<std::string> warnings; ///< what to know before the numbers are used
 
     Real Q_mid_over_Q0() const { return last.Q_mid / Q_0; }

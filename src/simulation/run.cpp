@@ -115,11 +115,15 @@ private:
     /// Leaves the results of the last sound state.
     void end_broken_down(const NumericalError& e)
     {
+        breakdown_ = e.breakdown().place;
+        std::optional<Neighbourhood> broken;
+        if (breakdown_) broken = simulation_.neighbourhood(*breakdown_);
         simulation_.back_to_good();
         files_.checkpoint(simulation_, good_memory_);
         last_ = simulation_.sample();
         files_.finish(simulation_);
         files_.summary(summary(std::string("numerical error: ") + e.what(), false));
+        if (broken) files_.breakdown(simulation_.neighbourhood(*breakdown_), *broken);
     }
 
     /// With an automatic step a breakdown is tried again from the last sound state with half of it,
@@ -237,6 +241,7 @@ private:
         s.vertices = simulation_.vertices();
         s.elements = simulation_.elements();
         s.version = version();
+        s.breakdown = breakdown_;
         for (const PhaseTime& p : simulation_.phase_times())
             s.phase_seconds.emplace_back(p.name, p.seconds);
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
@@ -275,7 +280,8 @@ private:
     RunMemory good_memory_; ///< of the last sound state
     Real step_factor_ = 1;
     int retries_ = 0;
-    double seconds_before_ = 0; ///< real time before the run was resumed
+    std::optional<Vec3> breakdown_; ///< where the run ended
+    double seconds_before_ = 0;     ///< real time before the run was resumed
     Index first_step_ = 0;
     Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
 };

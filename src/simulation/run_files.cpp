@@ -46,9 +46,7 @@ void RunFiles::go_on_from(const RunMemory& m, Real t)
 {
     series_.emplace(directory_.file("series.csv"), case_.scaling, m.last_row);
     write_own_case();
-    for (const char* name :
-         {"summary.json", "profile.csv", "sections.csv"}) // they are of an end that is none
-        std::filesystem::remove(directory_.file(name));
+    directory_.remove_end(); // which is none
     wall_.emplace(field_options(m.wall_frames));
     fluid_.emplace(field_options(m.fluid_frames));
     wall_due_.go_on(t, m.next_wall);
@@ -94,6 +92,18 @@ void RunFiles::first_wall(const Simulation& simulation)
 void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory)
 {
     checkpoints_.write(simulation.state(), memory, write_case(case_));
+}
+
+void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken)
+{
+    FieldFileOptions options = field_options(0);
+    options.prefix = "breakdown_";
+    WallFile wall(options);
+    FluidFile fluid(options);
+    for (const Neighbourhood* n : {&sound, &broken}) {
+        wall.write(n->wall);
+        fluid.write(n->fluid);
+    }
 }
 
 void RunFiles::finish(const Simulation& simulation)

@@ -53,6 +53,8 @@ public:
     Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation);
     void checkpoint(const Simulation& simulation, const RunMemory& memory);
+    /// What is around a breakdown, in the last sound state and in the broken one.
+    void breakdown(const Neighbourhood& sound, const Neighbourhood& broken);
     /// What is written once a run has ended.
     void finish(const Simulation& simulation);
     void summary(const Summary& s);

@@ -8,6 +8,7 @@
 #include "output/checkpoint.hpp"
 #include "simulation/soundness.hpp"
 #include "solver/advance.hpp"
+#include "solver/snapshot.hpp"
 #include "wall/perturbation.hpp"
 
 namespace starling {
@@ -31,6 +32,8 @@ WallModel wall_model(const Case& c, Real delta)
             c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing};
 }
 
+constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more
+constexpr Real half_slab_in_spacings = 6;
 constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
 constexpr Index steps_between_copies = 50; ///< of a sound state
 constexpr Real largest_sound_move = 0.5;   ///< of the wall in a step, in grid spacings
@@ -111,10 +114,8 @@ struct Simulation::Impl {
     void check_speed_and_step()
     {
         const SpeedCheck check = check_speed(grid, state.fluid.u, state.fluid.dt_before);
-        const Real u_max = std::max(check.u_max, std::abs(description.pressure_ratio()));
-        if (std::isfinite(check.u_max)) find_limits(u_max);
         soundness.check_flow(check);
-        choose_step(u_max);
+        choose_step(std::max(check.u_max, std::abs(description.pressure_ratio())));
         if (state.step % steps_between_copies == 0) keep_if_sound(check.cfl);
     }
 
@@ -189,7 +190,20 @@ WallSnapshot Simulation::wall_snapshot() const
     return impl_->monitor.wall(impl_->state, impl_->workspace.f);
 }
 
-FluidSnapshot Simulation::fluid_snapshot() const { return impl_->monitor.fluid(impl_->state); }
+FluidSnapshot Simulation::fluid_snapshot() const
+{
+    return reduced(impl_->monitor.fluid(impl_->state), impl_->description.output.fluid_part,
+                   impl_->state.ghosts[0].inside);
+}
+
+Neighbourhood Simulation::neighbourhood(const Vec3& place) const
+{
+    const Real half_width = std::max(half_slab, half_slab_in_spacings * spacing());
+    const Real begin = place.x - half_width, end = place.x + half_width;
+    impl_->op.elastic.compute(impl_->state.wall.x, impl_->workspace.f);
+    return {slab(impl_->monitor.wall_motion(impl_->state, impl_->workspace.f), begin, end),
+            slab(impl_->monitor.fluid(impl_->state), begin, end)};
+}
 
 std::vector<PhaseTime> Simulation::phase_times() const
 {

@@ -20,6 +20,12 @@ struct PhaseTime {
     double seconds;
 };
 
+/// A part of the wall and the fluid.
+struct Neighbourhood {
+    WallSnapshot wall; ///< positions, velocity, elastic force
+    FluidSnapshot fluid;
+};
+
 class Simulation {
 public:
     /// Builds everything; throws InputError where the geometry does not fit the grid.
@@ -57,7 +63,10 @@ public:
     std::vector<ProfileRow> profile() const;
     std::vector<SectionPoint> sections() const;
     WallSnapshot wall_snapshot() const;
-    FluidSnapshot fluid_snapshot() const;
+    FluidSnapshot fluid_snapshot() const; ///< the part that the case wants
+    /// Wall and fluid about a place where the computation broke down, which need not be finite:
+    /// a slab of the tube.
+    Neighbourhood neighbourhood(const Vec3& place) const;
     std::vector<PhaseTime> phase_times() const;
 
 private:

@@ -43,7 +43,8 @@ void Soundness::check_step() const
 void Soundness::check_flow(const SpeedCheck& speed) const
 {
     if (!std::isfinite(speed.u_max)) report_not_finite("the velocity is");
-    for (const TimeStepLimit& limit : limits_) {
+    // The limits of the case are still those of the last speed that was sound.
+    for (const TimeStepLimit& limit : time_step_limits(case_, grid_.delta(), speed.u_max)) {
         const bool over = state_.fluid.dt_before > far_over_the_limit * limit.dt;
         if (limit.name != "advection" || !over || speed.cfl <= largest_cfl) continue;
         const Face face = worst_face(state_.fluid.u);

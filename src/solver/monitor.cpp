@@ -252,18 +252,16 @@ Real component_of(const Vec3& a, int c) { return c == 0 ? a.x : c == 1 ? a.y : a
 
 } // namespace
 
-WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
+WallSnapshot Monitor::wall_motion(const State& s, const Array<Vec3>& elastic_force) const
 {
     const Array<Vec3>& x = s.wall.x;
-    geometry_.update(x);
     WallSnapshot a;
     a.t = s.t;
     a.step = s.step;
     a.points.assign(x.begin(), x.end());
     a.triangles = tube_->mesh.elements();
 
-    const Index vertices = x.size(), elements = tube_->mesh.element_count();
-
+    const Index vertices = x.size();
     a.at_vertex.push_back(
         make_array("displacement", Quantity::length, 3, vertices, [&](Index v, int c) {
             return component_of(x[v] - tube_->X[static_cast<std::size_t>(v)], c);
@@ -274,6 +272,15 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
     a.at_vertex.push_back(
         make_array("elastic_force", Quantity::force, 3, vertices,
                    [&](Index v, int c) { return component_of(elastic_force[v], c); }));
+    return a;
+}
+
+WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
+{
+    const Array<Vec3>& x = s.wall.x;
+    geometry_.update(x);
+    WallSnapshot a = wall_motion(s, elastic_force);
+    const Index vertices = x.size(), elements = tube_->mesh.element_count();
     a.at_vertex.push_back(
         make_array("transmural_pressure", Quantity::pressure, 1, vertices, [&](Index v, int) {
             return transmural_pressure(s, static_cast<VertexIndex>(v));

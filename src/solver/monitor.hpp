@@ -27,6 +27,8 @@ public:
     /// The cross-sections through the rings of vertices.
     std::vector<SectionPoint> sections(const State& s) const;
     WallSnapshot wall(const State& s, const Array<Vec3>& elastic_force);
+    /// Without what takes a look at the fluid: also of a wall that is not finite.
+    WallSnapshot wall_motion(const State& s, const Array<Vec3>& elastic_force) const;
     FluidSnapshot fluid(const State& s) const;
 
 private:

@@ -511,6 +511,22 @@ def test_numerical_error(directory):
     expect(all(math.isfinite(float(value)) for row in profile[1:] for value in row), profile[1])
     frame = float(re.findall('<Time Value="([^"]+)"', (out / "fluid.xdmf").read_text())[-1])
     expect(frame == summary["t"], "the summary and the last frame are of different states")
+    place = summary["breakdown"]
+    expect(0 <= place["x"] <= 12.6 and abs(place["y"]) < 3 and abs(place["z"]) < 3, place)
+    for name in ("breakdown_wall.xdmf", "breakdown_fluid.xdmf"):
+        times = [float(t) for t in re.findall('<Time Value="([^"]+)"', (out / name).read_text())]
+        expect(len(times) == 2 and times[0] == summary["t"] < times[1], name, times)
+    part = starling("info", out / "frames" / "breakdown_wall_000001.h5").stdout
+    for words in ("displacement", "elastic_force", "whole"):
+        expect(words in part, part)
+    expect_exit(starling("info", out), 0)
+    if have_plot_packages():
+        expect_exit(starling("plot", out), 0)
+        expect((out / "breakdown.png").read_bytes().startswith(b"\x89PNG"), "no picture")
+    expect_exit(starling("resume", out, "--set", "time.step=auto", "--accept-changes", "--set",
+                         "stop.steps=3"), 0)
+    expect(not list(out.glob("breakdown*")) and summary_of(out)["breakdown"] is None,
+           "a run that went on keeps the breakdown")
     result = starling("check", *COARSE, "--set", "time.step=3")
     expect_exit(result, 0)
     expect("Warning" in result.stdout and "membrane stiffness" in result.stdout, result.stdout)
@@ -578,10 +594,31 @@ def check_axes_of_plots(out):
     expect("Hookean wall" in plot.laplace_label("skalak"), plot.laplace_label("skalak"))
 
 
+def have_plot_packages():
+    return subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
+                          capture_output=True, check=False).returncode == 0
+
+
+def test_fluid_region(directory):
+    """Smaller frames of the fluid: named in the case as run, and pictures are drawn of them."""
+    sizes = {}
+    for region in ("box", "tube", "plane_y", "plane_z"):
+        out = directory / region
+        expect_exit(starling("run", *SHORT, "--set", f"output.fluid_region={region}", "--set",
+                             f"output.fluid_stride={2 if region == 'plane_z' else 1}", "--out", out), 0)
+        sizes[region] = (out / "frames" / "fluid_000000.h5").stat().st_size
+        printed = starling("info", out / "frames" / "fluid_000000.h5").stdout
+        cells = {"plane_y": "18 x 1 x 50", "plane_z": "1 x 9 x 25"}.get(region, "18 x 18 x 50")
+        expect(f" {cells} vectors" in printed, region, printed)
+        expect(("not finite" in printed) == (region == "tube"), region, printed)
+        if have_plot_packages():
+            result = starling("plot", out)
+            expect(result.returncode == 0 and result.stderr == "", result.stderr)
+    expect(sizes["plane_z"] < sizes["plane_y"] < sizes["tube"] < sizes["box"] / 3, sizes)
+
+
 def test_plot(directory):
-    check = subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
-                           capture_output=True, check=False)
-    if check.returncode != 0:
+    if not have_plot_packages():
         print("skipped: python3-matplotlib, python3-numpy or python3-h5py is not installed")
         sys.exit(SKIPPED)
     out = directory / "out"

@@ -47,6 +47,8 @@ inline std::vector<std::uint64_t> bits(const Case& c)
          {c.tube.rigid, c.output.wall, c.output.fluid, c.output.double_precision, c.scaling.si})
         integer(flag);
     integer(c.output.sample_every);
+    integer(c.output.fluid_part.region);
+    integer(c.output.fluid_part.stride);
     integer(c.material.law);
     integer(c.coupling.scheme);
     return out;
