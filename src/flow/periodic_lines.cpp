@@ -1,29 +1,73 @@
 #include "flow/periodic_lines.hpp"
 
+#include <cstring>
+
+#include "flow/row_pack.hpp"
+
 namespace starling {
 
 namespace {
 
 constexpr Index b = PeriodicLines::block;
+constexpr Index packs = b / 4; ///< packs of four rows
 
-/// Transposes `rows` rows of nz values, `stride` apart, into nz groups of b values. Missing rows
-/// repeat the first one.
-void load_transposed(const Real* x, Index stride, Index rows, Index nz, Real* __restrict y)
+/// Transposes `rows` rows of nz values, `stride` apart, into nz groups of `packs` packs. Missing
+/// rows repeat the first one.
+void load_transposed(const Real* x, Index stride, Index rows, Index nz, RowPack* y)
 {
     const Real* row[b];
     for (Index r = 0; r < b; ++r) row[r] = x + (r < rows ? r : 0) * stride;
-    for (Index k = 0; k < nz; ++k)
-        for (Index r = 0; r < b; ++r) y[k * b + r] = row[r][k];
+    Index k = 0;
+    for (; k + 4 <= nz; k += 4)
+        for (Index p = 0; p < packs; ++p) {
+            const Real* const* from = row + 4 * p;
+            const RowTile tile = transposed(
+                {load(from[0] + k), load(from[1] + k), load(from[2] + k), load(from[3] + k)});
+            for (Index m = 0; m < 4; ++m) y[(k + m) * packs + p] = tile.pack[m];
+        }
+    for (; k < nz; ++k)
+        for (Index r = 0; r < b; ++r) y[k * packs + r / 4][r % 4] = row[r][k];
+}
+
+/// x = y - factor q, back in rows; q(k, p) is a function.
+template <class Q>
+void store_transposed(const RowPack* y, const RowPack* factor, Q q, Index stride, Index rows,
+                      Index nz, Real* x)
+{
+    const auto value = [=](Index k, Index p) { return y[k * packs + p] - factor[p] * q(k, p); };
+    Index k = 0;
+    for (; k + 4 <= nz; k += 4)
+        for (Index p = 0; p < packs; ++p) {
+            const RowTile tile =
+                transposed({value(k, p), value(k + 1, p), value(k + 2, p), value(k + 3, p)});
+            for (Index r = 4 * p; r < std::min(4 * p + 4, rows); ++r)
+                store(tile.pack[r % 4], x + r * stride + k);
+        }
+    for (; k < nz; ++k)
+        for (Index r = 0; r < rows; ++r) x[r * stride + k] = value(k, r / 4)[r % 4];
+}
+
+/// Calls found(k) for the prescribed nodes k of one row, eight nodes at a time.
+template <class Found>
+void for_prescribed(const std::uint8_t* mask, Index nz, Found found)
+{
+    Index k = 0;
+    for (; k + 8 <= nz; k += 8) {
+        std::uint64_t eight;
+        std::memcpy(&eight, mask + k, 8);
+        for (Index m = k; eight != 0; eight >>= 8, ++m)
+            if (eight & 255) found(m);
+    }
+    for (; k < nz; ++k)
+        if (mask[k]) found(k);
 }
 
 /// The coefficient a, or 0 at prescribed nodes, transposed likewise.
-void load_active(const std::uint8_t* mask, Index stride, Index rows, Index nz, Real a,
-                 Real* __restrict c)
+void load_active(const std::uint8_t* mask, Index stride, Index rows, Index nz, Real a, RowPack* c)
 {
-    for (Index n = 0; n < b * nz; ++n) c[n] = a;
+    for (Index n = 0; n < packs * nz; ++n) c[n] = RowPack{} + a;
     for (Index r = 0; r < rows; ++r)
-        for (Index k = 0; k < nz; ++k)
-            if (mask[r * stride + k]) c[k * b + r] = 0;
+        for_prescribed(mask + r * stride, nz, [=](Index k) { c[k * packs + r / 4][r % 4] = 0; });
 }
 
 bool any_prescribed(const std::uint8_t* mask, Index stride, Index rows, Index nz)
@@ -34,15 +78,33 @@ bool any_prescribed(const std::uint8_t* mask, Index stride, Index rows, Index nz
     return any != 0;
 }
 
-/// x = y - factor q, back in rows; factor(r) and q(k, r) are functions.
-template <class Factor, class Q>
-void store_transposed(const Real* y, Factor factor, Q q, Index stride, Index rows, Index nz,
-                      Real* x)
+/// Forward elimination of y and q, from the second to the last but one; c comes in as a. What the
+/// next node needs stays in registers.
+void eliminate(RowPack* y, RowPack* q, RowPack* c, Index nz)
 {
-    for (Index r = 0; r < rows; ++r) {
-        const Real f = factor(r);
-        for (Index k = 0; k < nz; ++k) x[r * stride + k] = y[k * b + r] - f * q(k, r);
-    }
+    RowPack y_before[packs], q_before[packs], c_before[packs];
+    for (Index p = 0; p < packs; ++p) y_before[p] = y[p], q_before[p] = q[p], c_before[p] = c[p];
+    for (Index k = 1; k < nz - 1; ++k)
+        for (Index p = 0; p < packs; ++p) {
+            const Index m = k * packs + p;
+            const RowPack a = c[m], inverse = 1 / (1 + 2 * a + a * c_before[p]);
+            y[m] = y_before[p] = (y[m] + a * y_before[p]) * inverse;
+            q[m] = q_before[p] = a * q_before[p] * inverse;
+            c[m] = c_before[p] = -a * inverse;
+        }
+}
+
+void substitute_back(RowPack* y, RowPack* q, const RowPack* c, Index nz)
+{
+    RowPack y_after[packs], q_after[packs];
+    for (Index p = 0, n = packs * (nz - 1); p < packs; ++p)
+        y_after[p] = y[n + p], q_after[p] = q[n + p];
+    for (Index k = nz - 2; k >= 0; --k)
+        for (Index p = 0; p < packs; ++p) {
+            const Index m = k * packs + p;
+            y[m] = y_after[p] = y[m] - c[m] * y_after[p];
+            q[m] = q_after[p] = q[m] - c[m] * q_after[p];
+        }
 }
 
 } // namespace
@@ -89,89 +151,56 @@ void PeriodicLines::solve_free(Real* x, Index stride, Index rows, Real* scratch)
     const Index nz = nz_, n = nz - 1;
     const Real a = a_, s_n = -a / -(1 + 2 * a);
     const Real *q = q_.data(), *upper = upper_.data(), *inverse = inverse_.data();
-    Real* __restrict y = scratch;
+    auto* y = reinterpret_cast<RowPack*>(scratch); // [k][pack]
     load_transposed(x, stride, rows, nz, y);
-    for (Index r = 0; r < b; ++r) y[r] *= inverse[0];
-    for (Index k = 1; k <= n; ++k) {
-        Real* y_k = y + k * b;
-#pragma omp simd
-        for (Index r = 0; r < b; ++r) y_k[r] = (y_k[r] + a * y_k[r - b]) * inverse[k];
-    }
-    for (Index k = n - 1; k >= 0; --k) {
-        Real* y_k = y + k * b;
-#pragma omp simd
-        for (Index r = 0; r < b; ++r) y_k[r] -= upper[k] * y_k[r + b];
-    }
+    RowPack next[packs] = {}; // y at the node before, then at the node after
+    for (Index k = 0; k <= n; ++k)
+        for (Index p = 0; p < packs; ++p)
+            next[p] = y[k * packs + p] = (y[k * packs + p] + a * next[p]) * inverse[k];
+    for (Index k = n - 1; k >= 0; --k)
+        for (Index p = 0; p < packs; ++p)
+            next[p] = y[k * packs + p] = y[k * packs + p] - upper[k] * next[p];
     const Real divisor = 1 + q[0] + s_n * q[n];
+    RowPack factor[packs];
+    for (Index p = 0; p < packs; ++p) factor[p] = (y[p] + s_n * y[n * packs + p]) / divisor;
     store_transposed(
-        y, [&](Index r) { return (y[r] + s_n * y[n * b + r]) / divisor; },
-        [&](Index k, Index) { return q[k]; }, stride, rows, nz, x);
+        y, factor, [=](Index k, Index) { return q[k]; }, stride, rows, nz, x);
 }
 
 void PeriodicLines::solve_masked(Real* x, const std::uint8_t* mask, Index stride, Index rows,
                                  Real* scratch) const
 {
-    const Real a = a_;
-    const Index nz = nz_;
-    Real* __restrict y = scratch;              // [k][row]
-    Real* __restrict q = scratch + b * nz;     // [k][row]
-    Real* __restrict c = scratch + 2 * b * nz; // upper coefficient after elimination
-    const Index n = nz - 1;
-
+    const Index nz = nz_, n = packs * (nz - 1);    // the last group of packs
+    auto* y = reinterpret_cast<RowPack*>(scratch); // [k][pack]
+    RowPack* q = y + packs * nz;
+    RowPack* c = q + packs * nz; // a, then the upper coefficient after elimination
     load_transposed(x, stride, rows, nz, y);
-    load_active(mask, stride, rows, nz, a, c); // turned into the upper coefficient below
-    Real corner_0[b], corner_n[b], gamma[b];
-#pragma omp simd
-    for (Index r = 0; r < b; ++r) {
-        const Real a_0 = c[r], a_n = c[n * b + r];
-        corner_0[r] = -a_0;
-        corner_n[r] = -a_n;
-        gamma[r] = -(1 + 2 * a_0);
-        const Real inverse = 1 / (1 + 2 * a_0 - gamma[r]);
-        y[r] *= inverse;
-        q[r] = gamma[r] * inverse;
-        c[r] = -a_0 * inverse;
+    load_active(mask, stride, rows, nz, a_, c);
+
+    RowPack a_0[packs], gamma[packs], factor[packs];
+    for (Index p = 0; p < packs; ++p) {
+        a_0[p] = c[p];
+        gamma[p] = -(1 + 2 * a_0[p]);
+        const RowPack inverse = 1 / (1 + 2 * a_0[p] - gamma[p]);
+        y[p] *= inverse;
+        q[p] = gamma[p] * inverse;
+        c[p] = -a_0[p] * inverse;
     }
-    for (Index k = 1; k < n; ++k) {
-        Real *y_k = y + k * b, *q_k = q + k * b, *c_k = c + k * b;
-#pragma omp simd
-        for (Index r = 0; r < b; ++r) {
-            const Real a_k = c_k[r];
-            const Real inverse = 1 / (1 + 2 * a_k + a_k * c_k[r - b]);
-            y_k[r] = (y_k[r] + a_k * y_k[r - b]) * inverse;
-            q_k[r] = a_k * q_k[r - b] * inverse;
-            c_k[r] = -a_k * inverse;
-        }
+    eliminate(y, q, c, nz);
+    for (Index p = 0; p < packs; ++p) {
+        const RowPack a_n = c[n + p], corner_0 = -a_0[p], corner_n = -a_n;
+        const RowPack d = 1 + 2 * a_n - corner_n * corner_0 / gamma[p];
+        const RowPack inverse = 1 / (d + a_n * c[n + p - packs]);
+        y[n + p] = (y[n + p] + a_n * y[n + p - packs]) * inverse;
+        q[n + p] = (corner_n + a_n * q[n + p - packs]) * inverse;
     }
-    Real factor[b];
-    {
-        Real *y_n = y + n * b, *q_n = q + n * b, *c_n = c + n * b;
-#pragma omp simd
-        for (Index r = 0; r < b; ++r) {
-            const Real a_n = c_n[r];
-            const Real d = 1 + 2 * a_n - corner_n[r] * corner_0[r] / gamma[r];
-            const Real inverse = 1 / (d + a_n * c_n[r - b]);
-            y_n[r] = (y_n[r] + a_n * y_n[r - b]) * inverse;
-            q_n[r] = (corner_n[r] + a_n * q_n[r - b]) * inverse;
-        }
-    }
-    for (Index k = n - 1; k >= 0; --k) {
-        Real *y_k = y + k * b, *q_k = q + k * b;
-        const Real* c_k = c + k * b;
-#pragma omp simd
-        for (Index r = 0; r < b; ++r) {
-            y_k[r] -= c_k[r] * y_k[r + b];
-            q_k[r] -= c_k[r] * q_k[r + b];
-        }
-    }
-#pragma omp simd
-    for (Index r = 0; r < b; ++r) {
-        const Real s_n = corner_0[r] / gamma[r];
-        factor[r] = (y[r] + s_n * y[n * b + r]) / (1 + q[r] + s_n * q[n * b + r]);
+    substitute_back(y, q, c, nz);
+    for (Index p = 0; p < packs; ++p) {
+        const RowPack s_n = -a_0[p] / gamma[p];
+        factor[p] = (y[p] + s_n * y[n + p]) / (1 + q[p] + s_n * q[n + p]);
     }
     store_transposed(
-        y, [&](Index r) { return factor[r]; }, [&](Index k, Index r) { return q[k * b + r]; },
-        stride, rows, nz, x);
+        y, factor, [=](Index k, Index p) { return q[k * packs + p]; }, stride, rows, nz, x);
 }
 
 } // namespace starling

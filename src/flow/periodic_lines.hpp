@@ -13,6 +13,7 @@ namespace starling {
 class PeriodicLines {
 public:
     static constexpr Index block = 8;
+    /// Of `scratch`, which begins on a cache line.
     static Index scratch_size(Index nz) { return 3 * block * nz; }
 
     PeriodicLines(Real a, Index nz);

@@ -29,7 +29,7 @@ struct Rows {
     }
     void solve(Real a)
     {
-        std::vector<Real> scratch(at(PeriodicLines::scratch_size(nz)));
+        Array<Real> scratch(PeriodicLines::scratch_size(nz));
         PeriodicLines(a, nz).solve(x.data(), mask.data(), stride, rows, scratch.data());
     }
     /// The matrix times x at node k of a row.
