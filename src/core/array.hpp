@@ -1,6 +1,7 @@
 #pragma once
 /// Owned, zeroed, cache-line aligned storage.
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
@@ -57,22 +58,33 @@ public:
 
 private:
     struct Free {
-        void operator()(T* p) const { std::free(p); }
+        void* block = nullptr; ///< in which the values lie
+        void operator()(T*) const { std::free(block); }
     };
+    using Memory = std::unique_ptr<T[], Free>;
 
-    static T* allocate(Index size)
+    static Memory allocate(Index size)
     {
         constexpr std::size_t huge = std::size_t{2} << 20;
-        std::size_t bytes = static_cast<std::size_t>(std::max<Index>(size, 1)) * sizeof(T);
-        const std::size_t alignment = bytes >= 4 * huge ? huge : 64;
-        bytes = (bytes + alignment - 1) / alignment * alignment;
-        void* p = std::aligned_alloc(alignment, bytes);
-        if (!p) throw std::bad_alloc();
-        if (alignment == huge) madvise(p, bytes, MADV_HUGEPAGE);
-        return static_cast<T*>(p);
+        const std::size_t bytes = static_cast<std::size_t>(std::max<Index>(size, 1)) * sizeof(T);
+        const bool large = bytes >= huge;
+        const std::size_t alignment = large ? huge : 64, begin = large ? next_offset() : 0;
+        const std::size_t end = begin + bytes;
+        void* block = std::aligned_alloc(alignment, (end + alignment - 1) / alignment * alignment);
+        if (!block) throw std::bad_alloc();
+        if (large) madvise(block, end / huge * huge, MADV_HUGEPAGE);
+        return Memory(reinterpret_cast<T*>(static_cast<char*>(block) + begin), Free{block});
     }
 
-    std::unique_ptr<T[], Free> data_;
+    /// Where in its first page a large array begins: each elsewhere, since arrays that are
+    /// traversed together would else compete for the same lines of the caches.
+    static std::size_t next_offset()
+    {
+        static std::atomic<std::size_t> count = 0;
+        return count++ % 16 * (4 * 4096 + 5 * 64);
+    }
+
+    Memory data_;
     Index size_ = 0;
 };
 
