@@ -40,6 +40,13 @@ struct DiffusionLine {
     }
 };
 
+/// Eliminates the matrix of a line without prescribed nodes.
+inline void eliminate(const DiffusionLine& line, EliminatedLine& eliminated)
+{
+    const std::uint8_t free = 0;
+    eliminated.set(line.last + 1, [&](Index m) { return line.row(m, &free)(0); });
+}
+
 /// The line of component c along x (direction 0) or y (1), with a = theta dt/(Re h^2):
 /// zero normal derivative at the x ends (u is even about its end face, v and w about the face half
 /// a cell away), no slip at the y walls (u, w are odd about the wall; v is zero on it).

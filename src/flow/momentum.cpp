@@ -6,11 +6,21 @@
 
 namespace starling {
 
+namespace {
+
+/// The count of reals, rounded up to fill cache lines: threads do not share one.
+Index whole_cache_lines(Index count) { return (count + 7) / 8 * 8; }
+
+} // namespace
+
 Momentum::Momentum(const Grid& g, const FluidParameters& p)
-    : grid_(g), inv_reynolds_(1 / p.reynolds), theta_(p.theta), lines_(g.nx() + 1, g.nz()),
-      line_z_(0, g.nz()), free_line_x_(g.nx() + 1), free_line_y_(g.ny()),
-      row_is_free_(static_cast<std::size_t>(g.ny())),
-      plane_scratch_(std::max(g.ny() * g.nz(), PeriodicLines::scratch_size(g.nz()))),
+    : grid_(g), inv_reynolds_(1 / p.reynolds), theta_(p.theta), lines_(g.nx() + 1),
+      line_z_(0, g.nz()),
+      free_line_x_(g.nx() + 1), free_line_y_{EliminatedLine(g.ny()), EliminatedLine(g.ny()),
+                                             EliminatedLine(g.ny())},
+      chunk_is_free_(static_cast<std::size_t>(g.ny() * (g.nz() + 2) / XLines::chunk + 1)),
+      plane_scratch_(
+          whole_cache_lines(std::max(g.ny() * g.nz(), PeriodicLines::scratch_size(g.nz())))),
       scratch_(plane_scratch_ * max_threads())
 {
 }
@@ -43,115 +53,164 @@ Real spacing(const Grid& g, int direction)
 
 } // namespace
 
+/// One component in one x-plane: the explicit terms, then the sweeps along y and z. It reads u^n
+/// only, so the components may take turns.
 template <Location C>
-void Momentum::explicit_terms_and_plane_solves(FluidState& s, ScalarField& rhs_field,
-                                               const PrescribedNodes& prescribed, Real dt)
+struct Momentum::InPlane {
+    ExplicitTerms<C> terms;
+    PrescribedNodes prescribed;
+    Box box;
+    DiffusionLine line_y;
+    const EliminatedLine& free_line_y;
+    const PeriodicLines& line_z;
+
+    void operator()(Index i, Real* scratch) const
+    {
+        if (i == box.end[0]) return;
+        const Index first = prescribed.plane_begin[static_cast<std::size_t>(i)];
+        const Index last = prescribed.plane_begin[static_cast<std::size_t>(i + 1)];
+        add_explicit_terms(i);
+        prescribe(first, last);
+        solve_y(i, first == last, scratch);
+        solve_z(i, scratch);
+    }
+
+private:
+    void add_explicit_terms(Index i) const
+    {
+        const ExplicitTerms<C> plane_terms = terms; // local, so that the loop vectorises
+        for (Index j = box.begin[1]; j < box.end[1]; ++j) {
+            const Index row = plane_terms.rhs.offset(i, j, 0), nz = box.end[2];
+#pragma omp simd
+            for (Index k = 0; k < nz; ++k) plane_terms(row + k);
+        }
+    }
+    void prescribe(Index first, Index last) const
+    {
+        for (Index m = first; m < last; ++m) {
+            const auto e = static_cast<std::size_t>(m);
+            const Index node = prescribed.node[e];
+            terms.rhs.data[node] = prescribed.value[e] - terms.u.data[node];
+        }
+    }
+    void solve_y(Index i, bool free, Real* scratch) const
+    {
+        const View<Real> rhs = terms.rhs;
+        const std::uint8_t* mask = &prescribed.mask(i, box.begin[1], 0);
+        const Index stride = prescribed.mask.stride_y, j_begin = box.begin[1], nz = box.end[2];
+        if (free)
+            free_line_y.solve(&rhs(i, j_begin, 0), rhs.stride_y, nz);
+        else
+            solve_lines(
+                &rhs(i, j_begin, 0), rhs.stride_y, box.end[1] - j_begin, nz,
+                [=, this](Index m) { return line_y.row(m, mask + m * stride); }, scratch);
+    }
+    void solve_z(Index i, Real* scratch) const
+    {
+        for (Index j = box.begin[1]; j < box.end[1]; j += PeriodicLines::block)
+            line_z.solve(&terms.rhs(i, j, 0), &prescribed.mask(i, j, 0), terms.rhs.stride_y,
+                         std::min(PeriodicLines::block, box.end[1] - j), scratch);
+    }
+};
+
+template <Location C>
+Momentum::InPlane<C> Momentum::in_plane(FluidState& s, VectorField& rhs,
+                                        const PrescribedVelocity& prescribed, Real dt)
 {
-    const Box box = grid_.unknowns(C);
     const Real ratio = s.dt_before > 0 ? dt / s.dt_before : 0;
-    const View<Real> rhs = rhs_field.view();
-    const View<const Real> u = s.u[C].view();
     const ExplicitTerms<C> terms{Advection<C>(grid_, s.u),
                                  Laplacian(grid_.spacing()),
-                                 u,
+                                 s.u[C].view(),
                                  s.P.view(),
                                  s.N_before[C].view(),
-                                 rhs,
+                                 rhs[C].view(),
                                  1 / spacing(grid_, axis(C)),
                                  inv_reynolds_,
                                  dt,
                                  1 + ratio / 2,
                                  ratio / 2};
-    const auto implicit = [&](int d) {
-        const Real h = spacing(grid_, d);
-        return theta_ * dt * inv_reynolds_ / (h * h);
-    };
-    const DiffusionLine line_y = diffusion_line(grid_, C, 1, implicit(1));
-    line_z_.set(implicit(2));
-    const std::uint8_t free = 0;
-    free_line_y_.set(line_y.last + 1, [&](Index m) { return line_y.row(m, &free)(0); });
-    const PeriodicLines* line_z = &line_z_;
-    const EliminatedLine* free_line_y = &free_line_y_;
-    const View<const std::uint8_t> mask = prescribed.mask;
-    const Index j_begin = box.begin[1], j_end = box.end[1], nz = grid_.nz();
-    Real* all_scratch = scratch_.data();
-    const Index scratch_size = plane_scratch_;
+    const DiffusionLine line_y = diffusion_line(grid_, C, 1, implicit(1, dt));
+    EliminatedLine& free_line_y = free_line_y_[static_cast<std::size_t>(axis(C))];
+    eliminate(line_y, free_line_y);
+    return {terms,
+            prescribed[static_cast<std::size_t>(axis(C))],
+            grid_.unknowns(C),
+            line_y,
+            free_line_y,
+            line_z_};
+}
 
-    for_range(box.begin[0], box.end[0], [=](Index i) {
-        Real* scratch = all_scratch + scratch_size * thread_number();
-        const ExplicitTerms<C> plane_terms = terms; // local, so that the loop vectorises
-        for (Index j = j_begin; j < j_end; ++j) {
-            const Index row = rhs.offset(i, j, 0);
-#pragma omp simd
-            for (Index k = 0; k < nz; ++k) plane_terms(row + k);
-        }
-        const Index first = prescribed.plane_begin[static_cast<std::size_t>(i)];
-        const Index last = prescribed.plane_begin[static_cast<std::size_t>(i + 1)];
-        for (Index m = first; m < last; ++m) {
-            const auto e = static_cast<std::size_t>(m);
-            rhs.data[prescribed.node[e]] = prescribed.value[e] - u.data[prescribed.node[e]];
-        }
-        const std::uint8_t* plane_mask = &mask(i, j_begin, 0);
-        const Index mask_stride = mask.stride_y;
-        if (first == last)
-            free_line_y->solve(&rhs(i, j_begin, 0), rhs.stride_y, nz);
-        else
-            solve_lines(
-                &rhs(i, j_begin, 0), rhs.stride_y, j_end - j_begin, nz,
-                [=](Index m) { return line_y.row(m, plane_mask + m * mask_stride); }, scratch);
-        for (Index j = j_begin; j < j_end; j += PeriodicLines::block)
-            line_z->solve(&rhs(i, j, 0), &mask(i, j, 0), rhs.stride_y,
-                          std::min(PeriodicLines::block, j_end - j), scratch);
+void Momentum::solve_planes(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed,
+                            Real dt)
+{
+    line_z_.set(implicit(2, dt));
+    const auto plane_of_u = in_plane<Location::u>(s, rhs, prescribed, dt);
+    const auto plane_of_v = in_plane<Location::v>(s, rhs, prescribed, dt);
+    const auto plane_of_w = in_plane<Location::w>(s, rhs, prescribed, dt);
+    for_range(0, grid_.nx() + 1, [=, this](Index i) {
+        Real* scratch = scratch_.data() + plane_scratch_ * thread_number();
+        plane_of_u(i, scratch);
+        plane_of_v(i, scratch);
+        plane_of_w(i, scratch);
     });
 }
 
-void Momentum::find_free_rows(const PrescribedNodes& prescribed)
+void Momentum::find_free_chunks(const PrescribedNodes& prescribed, Index first_column)
 {
-    const View<const std::uint8_t> mask = prescribed.mask;
-    std::fill(row_is_free_.begin(), row_is_free_.end(), 1);
+    const Index plane = prescribed.mask.stride_x;
+    std::fill(chunk_is_free_.begin(), chunk_is_free_.end(), 1);
     for (Index node : prescribed.node)
-        row_is_free_[static_cast<std::size_t>(node % mask.stride_x / mask.stride_y)] = 0;
+        chunk_is_free_[static_cast<std::size_t>((node % plane - first_column) / XLines::chunk)] = 0;
 }
 
+/// The columns run through the halo values between the rows: these are solved along, and filled at
+/// the end.
 template <Location C>
 void Momentum::x_solve_and_add(ScalarField& u_field, ScalarField& increment,
                                const PrescribedNodes& prescribed, Real dt)
 {
     const Box box = grid_.unknowns(C);
-    const Real h = grid_.spacing().x;
-    const DiffusionLine line = diffusion_line(grid_, C, 0, theta_ * dt * inv_reynolds_ / (h * h));
-    const View<const std::uint8_t> mask = prescribed.mask;
-    const View<Real> delta = increment.view(), u = u_field.view();
-    const std::uint8_t free = 0;
-    free_line_x_.set(box.end[0], [&](Index m) { return line.row(m, &free)(0); });
-    find_free_rows(prescribed);
+    const DiffusionLine line = diffusion_line(grid_, C, 0, implicit(0, dt));
+    eliminate(line, free_line_x_);
     const EliminatedLine* free_line = &free_line_x_;
-    const char* row_is_free = row_is_free_.data();
-    const Index planes = box.end[0], nz = grid_.nz();
-    lines_.for_rows({box.begin[1], box.end[1]}, [=](Index j, Real* scratch) {
-        if (row_is_free[j])
-            free_line->solve(&delta(0, j, 0), delta.stride_x, nz);
+
+    const Index stride = prescribed.mask.stride_x, planes = box.end[0];
+    const Index first = prescribed.mask.offset(0, box.begin[1], 0);
+    const Index columns = prescribed.mask.offset(0, box.end[1] - 1, grid_.nz()) - first;
+    find_free_chunks(prescribed, first);
+    const char* chunk_is_free = chunk_is_free_.data();
+    Real *u_0 = u_field.view().data + first, *delta_0 = increment.view().data + first;
+    const std::uint8_t* mask_0 = prescribed.mask.data + first;
+
+    lines_.for_chunks(columns, [=](Index begin, Index width, Real* scratch) {
+        Real *u = u_0 + begin, *delta = delta_0 + begin;
+        const std::uint8_t* mask = mask_0 + begin;
+        const auto add = [=](Index i) {
+#pragma omp simd
+            for (Index k = 0; k < width; ++k) u[i * stride + k] += delta[i * stride + k];
+        };
+        if (chunk_is_free[begin / XLines::chunk])
+            free_line->solve(delta, stride, width, add);
         else
             solve_lines(
-                &delta(0, j, 0), delta.stride_x, planes, nz,
-                [=](Index i) { return line.row(i, &mask(i, j, 0)); }, scratch);
-        for (Index i = 0; i < planes; ++i) {
-            Real* u_row = &u(i, j, 0);
-            const Real* delta_row = &delta(i, j, 0);
-#pragma omp simd
-            for (Index k = 0; k < nz; ++k) u_row[k] += delta_row[k];
-        }
+                delta, stride, planes, width,
+                [=](Index i) { return line.row(i, mask + i * stride); }, scratch, add);
     });
     fill_velocity_halo(grid_, C, u_field);
+}
+
+/// theta dt/(Re h^2) of one direction.
+Real Momentum::implicit(int direction, Real dt) const
+{
+    const Real h = spacing(grid_, direction);
+    return theta_ * dt * inv_reynolds_ / (h * h);
 }
 
 void Momentum::predict(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed,
                        Real dt)
 {
     using enum Location;
-    explicit_terms_and_plane_solves<u>(s, rhs[u], prescribed[0], dt);
-    explicit_terms_and_plane_solves<v>(s, rhs[v], prescribed[1], dt);
-    explicit_terms_and_plane_solves<w>(s, rhs[w], prescribed[2], dt);
+    solve_planes(s, rhs, prescribed, dt);
     x_solve_and_add<u>(s.u[u], rhs[u], prescribed[0], dt);
     x_solve_and_add<v>(s.u[v], rhs[v], prescribed[1], dt);
     x_solve_and_add<w>(s.u[w], rhs[w], prescribed[2], dt);

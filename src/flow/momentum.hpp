@@ -25,21 +25,28 @@ public:
 
 private:
     template <Location C>
-    void explicit_terms_and_plane_solves(FluidState& s, ScalarField& rhs,
-                                         const PrescribedNodes& prescribed, Real dt);
+    struct InPlane;
+    template <Location C>
+    InPlane<C> in_plane(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed,
+                        Real dt);
+    void solve_planes(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed,
+                      Real dt);
     template <Location C>
     void x_solve_and_add(ScalarField& u, ScalarField& increment, const PrescribedNodes& prescribed,
                          Real dt);
 
-    void find_free_rows(const PrescribedNodes& prescribed);
+    void find_free_chunks(const PrescribedNodes& prescribed, Index first_column);
+
+    Real implicit(int direction, Real dt) const;
 
     Grid grid_;
     Real inv_reynolds_, theta_;
     XLines lines_;
     PeriodicLines line_z_;
-    EliminatedLine free_line_x_, free_line_y_; ///< lines without prescribed nodes
-    std::vector<char> row_is_free_;            ///< rows j with no prescribed node in any plane
-    Index plane_scratch_;                      ///< reals per thread
+    EliminatedLine free_line_x_; ///< lines without prescribed nodes
+    std::array<EliminatedLine, 3> free_line_y_;
+    std::vector<char> chunk_is_free_; ///< chunks of lines along x without prescribed nodes
+    Index plane_scratch_;             ///< reals per thread
     Array<Real> scratch_;
 };
 

@@ -42,19 +42,26 @@ Real second_difference(Real phase, Real h)
 } // namespace
 
 Poisson::Poisson(const Grid& g)
-    : grid_(g), row_(2 * (g.nz() / 2 + 1)), buffer_(g.nx() * g.ny() * row_), eigenvalues_y_(g.ny()),
-      eigenvalues_z_(row_), scratch_size_((g.ny() + 1) * row_),
-      scratch_(scratch_size_ * max_threads()), cosine_(g.ny()), lines_(g.nx(), row_),
+    : grid_(g), row_(2 * (g.nz() / 2 + 1)), buffer_(g.nx() * g.ny() * row_),
+      diagonal_(g.ny() * row_), diagonal_at_end_(g.ny() * row_), scratch_size_((g.ny() + 1) * row_),
+      scratch_(scratch_size_ * max_threads()), cosine_(g.ny()), lines_(g.nx()),
       plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
 {
+    const Real ax = 1 / (g.spacing().x * g.spacing().x);
+    Array<Real> lambda_y(g.ny()), lambda_z(row_);
     for (Index j = 0; j < g.ny(); ++j)
-        eigenvalues_y_[j] =
+        lambda_y[j] =
             second_difference(pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
     for (Index k = 0; k < row_; ++k) {
         const Index wave = k / 2; // real and imaginary part
-        eigenvalues_z_[k] = second_difference(
+        lambda_z[k] = second_difference(
             2 * pi * static_cast<Real>(wave) / static_cast<Real>(g.nz()), g.spacing().z);
     }
+    for (Index j = 0; j < g.ny(); ++j)
+        for (Index k = 0; k < row_; ++k) {
+            diagonal_[j * row_ + k] = lambda_y[j] - 2 * ax + lambda_z[k];
+            diagonal_at_end_[j * row_ + k] = lambda_y[j] - 2 * ax - ax + lambda_z[k];
+        }
 }
 
 Poisson::~Poisson() = default;
@@ -77,16 +84,12 @@ void Poisson::solve_transformed(ScalarField& phi)
 {
     const View<Real> buffer = buffer_view();
     const Real ax = 1 / (grid_.spacing().x * grid_.spacing().x);
-    const Real *lambda_y = eigenvalues_y_.data(), *lambda_z = eigenvalues_z_.data();
+    const Real *interior = diagonal_.data(), *at_end = diagonal_at_end_.data();
     const Index last = grid_.nx() - 1;
-    lines_.solve(buffer.data, buffer.stride_x, buffer.stride_y, grid_.nx(), {0, grid_.ny()}, row_,
-                 [=](Index i, Index j) {
-                     const Real end = i == 0 || i == last ? ax : 0; // phi = 0 on the end faces
-                     const Real diagonal = lambda_y[j] - 2 * ax - end;
-                     const Real lower = i == 0 ? 0 : ax, upper = i == last ? 0 : ax;
-                     return [=](Index k) {
-                         return TridiagonalRow{lower, diagonal + lambda_z[k], upper};
-                     };
+    lines_.solve(buffer.data, buffer.stride_x, grid_.nx(), buffer.stride_x,
+                 [=](Index i, Index column) {
+                     const Real* diagonal = (i == 0 || i == last ? at_end : interior) + column;
+                     return [=](Index k) { return TridiagonalRow{ax, diagonal[k], ax}; };
                  });
 
     const View<Real> f = phi.view();

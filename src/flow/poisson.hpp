@@ -45,11 +45,11 @@ private:
     void solve_transformed(ScalarField& phi);
 
     Grid grid_;
-    Index row_;                 ///< reals per transformed row: 2 (nz/2 + 1)
-    Array<Real> buffer_;        ///< nx planes of ny rows of row_ values
-    Array<Real> eigenvalues_y_; ///< of the second difference under the cosine transform
-    Array<Real> eigenvalues_z_; ///< of the second difference in Fourier space, per stored real
-    Index scratch_size_;        ///< reals per thread
+    Index row_;                   ///< reals per transformed row: 2 (nz/2 + 1)
+    Array<Real> buffer_;          ///< nx planes of ny rows of row_ values
+    Array<Real> diagonal_;        ///< of the lines along x, per transformed value of a plane
+    Array<Real> diagonal_at_end_; ///< the same in the first and the last plane
+    Index scratch_size_;          ///< reals per thread
     Array<Real> scratch_;
     CosineTransform cosine_;
     XLines lines_;

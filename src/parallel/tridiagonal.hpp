@@ -13,9 +13,11 @@ struct TridiagonalRow {
 /// Solves `width` independent systems of `n` unknowns in place. Unknown m of line k is
 /// x[m * stride + k]; rows(m) gives a function of k that returns row m of line k (the first row's
 /// lower and the last row's upper coefficient are ignored). `scratch` holds n * width values. No
-/// pivoting: rows must be diagonally dominant.
-template <class Rows>
-void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, Real* scratch)
+/// pivoting: rows must be diagonally dominant. Calls solved(m), last m first, when unknowns m are
+/// final.
+template <class Rows, class Solved>
+void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, Real* scratch,
+                 Solved solved)
 {
     const auto first = rows(Index{0});
 #pragma omp simd
@@ -39,13 +41,21 @@ void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, R
             x_m[k] = (x_m[k] - r.lower * x_before[k]) * inverse;
         }
     }
+    solved(n - 1);
     for (Index m = n - 2; m >= 0; --m) {
         Real* x_m = x + m * stride;
         const Real* x_after = x_m + stride;
         const Real* c_m = scratch + m * width;
 #pragma omp simd
         for (Index k = 0; k < width; ++k) x_m[k] -= c_m[k] * x_after[k];
+        solved(m);
     }
+}
+
+template <class Rows>
+void solve_lines(Real* x, Index stride, Index n, Index width, const Rows rows, Real* scratch)
+{
+    solve_lines(x, stride, n, width, rows, scratch, [](Index) {});
 }
 
 /// One tridiagonal matrix, eliminated once, for any number of lines that share it. The arithmetic
@@ -68,8 +78,10 @@ public:
         }
     }
 
-    /// Solves `width` lines in place; unknown m of line k is x[m * stride + k].
-    void solve(Real* x, Index stride, Index width) const
+    /// Solves `width` lines in place; unknown m of line k is x[m * stride + k]. Calls solved(m),
+    /// last m first, when unknowns m are final.
+    template <class Solved>
+    void solve(Real* x, Index stride, Index width, Solved solved) const
     {
         for (Index k = 0; k < width; ++k) x[k] *= inverse_[0];
         for (Index m = 1; m < n_; ++m) {
@@ -79,13 +91,19 @@ public:
 #pragma omp simd
             for (Index k = 0; k < width; ++k) x_m[k] = (x_m[k] - lower * x_before[k]) * inverse;
         }
+        solved(n_ - 1);
         for (Index m = n_ - 2; m >= 0; --m) {
             Real* x_m = x + m * stride;
             const Real* x_after = x_m + stride;
             const Real upper = upper_[m];
 #pragma omp simd
             for (Index k = 0; k < width; ++k) x_m[k] -= upper * x_after[k];
+            solved(m);
         }
+    }
+    void solve(Real* x, Index stride, Index width) const
+    {
+        solve(x, stride, width, [](Index) {});
     }
 
 private:

@@ -1,38 +1,45 @@
 #pragma once
 /// Tridiagonal solves along x: the only algorithm that crosses x-slabs.
+#include <algorithm>
+
 #include "core/array.hpp"
 #include "core/for_each.hpp"
 #include "parallel/tridiagonal.hpp"
 
 namespace starling {
 
-/// Solves along x for all rows j in [j_begin, j_end), each row `width` lines wide, in place.
-/// `data` points at plane 0, row 0; rows(i, j) gives
-/// the function of k for matrix row i of the lines of row j.
+/// Solves along x for the columns of a plane: the lines through its values, in memory order. They
+/// are swept in chunks, so that a chunk of all planes stays in cache between the two sweeps.
 class XLines {
 public:
-    /// Scratch for `planes` unknowns along x and rows of `width` values, one part per thread.
-    XLines(Index planes, Index width) : size_(planes * width), scratch_(size_ * max_threads()) {}
+    static constexpr Index chunk = 256; ///< columns
 
+    /// Scratch for `planes` unknowns along x, one part per thread.
+    explicit XLines(Index planes) : size_(planes * chunk), scratch_(size_ * max_threads()) {}
+
+    /// Solves, in place, `columns` lines of `planes` unknowns: data[i * stride_x + column].
+    /// rows_of(i, column) gives the function of k for matrix row i of the lines from `column` on.
     template <class Rows>
-    void solve(Real* data, Index stride_x, Index stride_y, Index planes, std::array<Index, 2> rows,
-               Index width, Rows rows_of)
+    void solve(Real* data, Index stride_x, Index planes, Index columns, Rows rows_of)
     {
-        for_rows(rows, [=](Index j, Real* scratch) {
+        for_chunks(columns, [=](Index begin, Index width, Real* scratch) {
             solve_lines(
-                data + j * stride_y, stride_x, planes, width,
-                [=](Index i) { return rows_of(i, j); }, scratch);
+                data + begin, stride_x, planes, width, [=](Index i) { return rows_of(i, begin); },
+                scratch);
         });
     }
 
-    /// Calls solve_row(j, scratch) for the rows, each thread with its own scratch.
-    template <class SolveRow>
-    void for_rows(std::array<Index, 2> rows, SolveRow solve_row)
+    /// Calls solve_chunk(begin, width, scratch) for chunks of columns, each thread with its own
+    /// scratch.
+    template <class SolveChunk>
+    void for_chunks(Index columns, SolveChunk solve_chunk)
     {
         Real* scratch = scratch_.data();
         const Index size = size_;
-        for_range(rows[0], rows[1],
-                  [=](Index j) { solve_row(j, scratch + size * thread_number()); });
+        for_range(0, (columns + chunk - 1) / chunk, [=](Index n) {
+            const Index begin = n * chunk;
+            solve_chunk(begin, std::min(chunk, columns - begin), scratch + size * thread_number());
+        });
     }
 
 private:

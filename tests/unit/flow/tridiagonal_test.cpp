@@ -109,30 +109,30 @@ private:
     int before_ = omp_get_max_threads();
 };
 
-TEST_P(XLinesOnThreads, SolveTheRowsAskedForAndNoOther)
+TEST_P(XLinesOnThreads, SolveTheColumnsAskedForAndNoOther)
 {
     Random random;
-    const Index planes = 9, rows = 7, width = 5, stride_y = width + 2, stride_x = rows * stride_y;
-    std::vector<Real> x(at(planes * stride_x));
-    for (Real& value : x) value = random();
-    const std::vector<Real> rhs = x;
-    const auto row = [](Index i, Index j, Index k) {
-        const auto real = [](Index n) { return static_cast<Real>(n); };
-        return TridiagonalRow{0.1 * real(i), 3 + 0.2 * real(j), 0.3 * real(k)};
-    };
-    const auto matrix = [=](Index i, Index j) { return [=](Index k) { return row(i, j, k); }; };
-    XLines lines(planes, width);
-    lines.solve(x.data(), stride_x, stride_y, planes, {1, rows - 1}, width, matrix);
-    for (Index i = 0; i < planes; ++i)
-        for (Index j = 0; j < rows; ++j)
-            for (Index k = 0; k < stride_y; ++k) {
-                const Index n = i * stride_x + j * stride_y + k;
-                const bool solved = j >= 1 && j < rows - 1 && k < width;
-                const Real* line = x.data() + j * stride_y + k;
+    for (Index columns : {5, 256, 700}) {
+        const Index planes = 9, stride = columns + 3;
+        std::vector<Real> x(at(planes * stride));
+        for (Real& value : x) value = random();
+        const std::vector<Real> rhs = x;
+        const auto row = [](Index i, Index column) {
+            const auto real = [](Index n) { return static_cast<Real>(n); };
+            return TridiagonalRow{0.1 * real(i), 3 + 0.1 * real(column % 7), 0.3 * real(i % 3)};
+        };
+        XLines(planes).solve(x.data(), stride, planes, columns, [=](Index i, Index begin) {
+            return [=](Index k) { return row(i, begin + k); };
+        });
+        for (Index i = 0; i < planes; ++i)
+            for (Index k = 0; k < stride; ++k) {
+                const Index n = i * stride + k;
+                const bool solved = k < columns;
                 const Real value =
-                    solved ? multiply(row(i, j, k), line, stride_x, i, planes) : x[at(n)];
+                    solved ? multiply(row(i, k), x.data() + k, stride, i, planes) : x[at(n)];
                 EXPECT_NEAR(value, rhs[at(n)], solved ? 10 * round_off : 0);
             }
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(OneAndTwo, XLinesOnThreads, testing::Values(1, 2));
