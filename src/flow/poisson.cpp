@@ -6,8 +6,8 @@
 
 namespace starling {
 
-/// FFTW plans of the rows of one x-plane. Planned by estimate: measured plans differ from run to
-/// run, and with them the last bits of the result.
+/// FFTW plans of the rows of one x-plane. Planned by estimate: measured plans
+/// differ from run to run, and with them the last bits of the result.
 struct Poisson::Plans {
     Plans(Index ny, Index nz, Real* plane)
     {
@@ -32,7 +32,8 @@ struct Poisson::Plans {
 
 namespace {
 
-/// Eigenvalue of the second difference for a wave of `phase` radians per spacing.
+/// Eigenvalue of the second difference for a wave of `phase` radians per
+/// spacing.
 Real second_difference(Real phase, Real h)
 {
     const Real s = 2 * std::sin(phase / 2) / h;
@@ -42,51 +43,62 @@ Real second_difference(Real phase, Real h)
 } // namespace
 
 Poisson::Poisson(const Grid& g)
-    : grid_(g), row_(2 * (g.nz() / 2 + 1)), buffer_(g.nx() * g.ny() * row_),
-      diagonal_(g.ny() * row_), diagonal_at_end_(g.ny() * row_), scratch_size_((g.ny() + 1) * row_),
-      scratch_(scratch_size_ * max_threads()), cosine_(g.ny()), lines_(g.nx()),
-      plans_(std::make_unique<Plans>(g.ny(), g.nz(), buffer_.data()))
+    : grid_(g), row_(2 * (g.nz() / 2 + 1)), transformed_(g.cell_count()),
+      diagonal_(g.ny() * g.nz()), diagonal_at_end_(g.ny() * g.nz()),
+      scratch_size_((2 * g.ny() + 1) * row_), scratch_(scratch_size_ * max_threads()),
+      cosine_(g.ny()), lines_(g.nx()),
+      plans_(std::make_unique<Plans>(g.ny(), g.nz(), scratch_.data()))
 {
     const Real ax = 1 / (g.spacing().x * g.spacing().x);
-    Array<Real> lambda_y(g.ny()), lambda_z(row_);
+    Array<Real> lambda_y(g.ny()), lambda_z(g.nz());
     for (Index j = 0; j < g.ny(); ++j)
         lambda_y[j] =
             second_difference(pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
-    for (Index k = 0; k < row_; ++k) {
-        const Index wave = k / 2; // real and imaginary part
+    for (Index k = 0; k < g.nz(); ++k) {
+        const Index wave = (k + 1) / 2;
         lambda_z[k] = second_difference(
             2 * pi * static_cast<Real>(wave) / static_cast<Real>(g.nz()), g.spacing().z);
     }
     for (Index j = 0; j < g.ny(); ++j)
-        for (Index k = 0; k < row_; ++k) {
-            diagonal_[j * row_ + k] = lambda_y[j] - 2 * ax + lambda_z[k];
-            diagonal_at_end_[j * row_ + k] = lambda_y[j] - 2 * ax - ax + lambda_z[k];
+        for (Index k = 0; k < g.nz(); ++k) {
+            diagonal_[j * g.nz() + k] = lambda_y[j] - 2 * ax + lambda_z[k];
+            diagonal_at_end_[j * g.nz() + k] = lambda_y[j] - 2 * ax - ax + lambda_z[k];
         }
 }
 
 Poisson::~Poisson() = default;
 
-View<Real> Poisson::buffer_view() { return {buffer_.data(), grid_.ny() * row_, row_}; }
-
-void Poisson::transform_forward(Real* plane)
+// The spectrum of a row begins with the mean and a zero and ends, if nz is
+// even, with another zero. With the mean moved to the place of the first zero,
+// the nz values that count lie side by side.
+void Poisson::transform_forward(Real* plane, Index i)
 {
+    const Index ny = grid_.ny(), nz = grid_.nz();
     fftw_execute_dft_r2c(plans_->forward, plane, reinterpret_cast<fftw_complex*>(plane));
-    cosine_.forward(plane, row_, scratch_.data() + scratch_size_ * thread_number());
+    for (Index j = 0; j < ny; ++j) plane[j * row_ + 1] = plane[j * row_];
+    cosine_.forward(plane + 1, row_, &transformed_[i * ny * nz], nz, nz, plane + ny * row_);
 }
 
-void Poisson::transform_backward(Real* plane)
+void Poisson::transform_backward(Index i, Real* plane)
 {
-    cosine_.backward(plane, row_, scratch_.data() + scratch_size_ * thread_number());
+    const Index ny = grid_.ny(), nz = grid_.nz();
+    cosine_.backward(&transformed_[i * ny * nz], nz, plane + 1, row_, nz, plane + ny * row_);
+    for (Index j = 0; j < ny; ++j) {
+        Real* row = plane + j * row_;
+        row[0] = row[1];
+        row[1] = 0;
+        if (nz % 2 == 0) row[nz + 1] = 0;
+    }
     fftw_execute_dft_c2r(plans_->backward, reinterpret_cast<fftw_complex*>(plane), plane);
 }
 
 void Poisson::solve_transformed(ScalarField& phi)
 {
-    const View<Real> buffer = buffer_view();
     const Real ax = 1 / (grid_.spacing().x * grid_.spacing().x);
     const Real *interior = diagonal_.data(), *at_end = diagonal_at_end_.data();
     const Index last = grid_.nx() - 1;
-    lines_.solve(buffer.data, buffer.stride_x, grid_.nx(), buffer.stride_x,
+    const Index plane_size = grid_.ny() * grid_.nz();
+    lines_.solve(transformed_.data(), plane_size, grid_.nx(), plane_size,
                  [=](Index i, Index column) {
                      const Real* diagonal = (i == 0 || i == last ? at_end : interior) + column;
                      return [=](Index k) { return TridiagonalRow{ax, diagonal[k], ax}; };
@@ -96,10 +108,11 @@ void Poisson::solve_transformed(ScalarField& phi)
     const Index ny = grid_.ny(), nz = grid_.nz();
     const Real scale = 1 / static_cast<Real>(nz);
     for_range(0, grid_.nx(), [=, this](Index i) {
-        transform_backward(&buffer(i, 0, 0));
+        Real* plane = scratch_plane();
+        transform_backward(i, plane);
         for (Index j = 0; j < ny; ++j) {
             Real* row = &f(i, j, 0);
-            const Real* from = &buffer(i, j, 0);
+            const Real* from = plane + j * row_;
 #pragma omp simd
             for (Index k = 0; k < nz; ++k) row[k] = scale * from[k];
         }

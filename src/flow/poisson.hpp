@@ -8,9 +8,10 @@
 
 namespace starling {
 
-/// Solves Laplacian(phi) = rhs at cell centres: Fourier in z (periodic), cosine in y (zero normal
-/// derivative), tridiagonal in x (phi given on the end faces). The discrete Laplacian is the
-/// divergence of the gradient, so the projection is exact to round-off. Source: sec. 2.7.
+/// Solves Laplacian(phi) = rhs at cell centres: Fourier in z (periodic), cosine
+/// in y (zero normal derivative), tridiagonal in x (phi given on the end
+/// faces). The discrete Laplacian is the divergence of the gradient, so the
+/// projection is exact to round-off. Source: sec. 2.7.
 class Poisson {
 public:
     explicit Poisson(const Grid& g);
@@ -18,35 +19,36 @@ public:
     Poisson(const Poisson&) = delete;
     Poisson& operator=(const Poisson&) = delete;
 
-    /// Calls rhs(i, j, k) for every cell, solves with phi = 0 on the end faces and writes phi with
-    /// valid halos.
+    /// Calls rhs(i, j, k) for every cell, solves with phi = 0 on the end faces
+    /// and writes phi with valid halos.
     template <class Rhs>
     void solve(Rhs rhs, ScalarField& phi)
     {
-        const View<Real> buffer = buffer_view();
         const Index ny = grid_.ny(), nz = grid_.nz();
         for_range(0, grid_.nx(), [=, this](Index i) {
             const Rhs plane_rhs = rhs; // local, so that the loop vectorises
+            Real* plane = scratch_plane();
             for (Index j = 0; j < ny; ++j) {
-                Real* row = &buffer(i, j, 0);
+                Real* row = plane + j * row_;
 #pragma omp simd
                 for (Index k = 0; k < nz; ++k) row[k] = plane_rhs(i, j, k);
             }
-            transform_forward(&buffer(i, 0, 0));
+            transform_forward(plane, i);
         });
         solve_transformed(phi);
     }
 
 private:
     struct Plans;
-    View<Real> buffer_view();
-    void transform_forward(Real* plane);
-    void transform_backward(Real* plane);
+    /// The calling thread's plane of ny rows, row_ apart.
+    Real* scratch_plane() { return scratch_.data() + scratch_size_ * thread_number(); }
+    void transform_forward(Real* plane, Index i);
+    void transform_backward(Index i, Real* plane);
     void solve_transformed(ScalarField& phi);
 
     Grid grid_;
-    Index row_;                   ///< reals per transformed row: 2 (nz/2 + 1)
-    Array<Real> buffer_;          ///< nx planes of ny rows of row_ values
+    Index row_;                   ///< reals per row for FFTW: 2 (nz/2 + 1)
+    Array<Real> transformed_;     ///< nx planes of ny rows of nz values
     Array<Real> diagonal_;        ///< of the lines along x, per transformed value of a plane
     Array<Real> diagonal_at_end_; ///< the same in the first and the last plane
     Index scratch_size_;          ///< reals per thread
