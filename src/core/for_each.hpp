@@ -26,12 +26,33 @@ void for_each(const Box& b, F f)
         }
 }
 
-/// Calls f(n) for n in [begin, end), split over threads in contiguous parts.
+/// Where part `part` of `parts` of a range of `count` items begins: at multiples of 16. A compiler
+/// may round an item differently in a loop's vectorised body and in its rest; so every item is in
+/// the same place for any number of threads.
+constexpr Index part_begin(Index count, Index part, Index parts)
+{
+    return part == parts ? count : count * part / parts / 16 * 16;
+}
+
+/// Calls f(n) for n in [begin, end), many small items, split over threads in contiguous parts.
 template <class F>
 void for_range(Index begin, Index end, F f)
 {
+#pragma omp parallel firstprivate(f)
+    {
+        const Index part = omp_get_thread_num(), parts = omp_get_num_threads();
+        const Index first = begin + part_begin(end - begin, part, parts);
+        const Index last = begin + part_begin(end - begin, part + 1, parts);
+        for (Index n = first; n < last; ++n) f(n);
+    }
+}
+
+/// Calls f(i) for i in [begin, end), each a plane or a block of work of its own.
+template <class F>
+void for_planes(Index begin, Index end, F f)
+{
 #pragma omp parallel for schedule(static) firstprivate(f)
-    for (Index n = begin; n < end; ++n) f(n);
+    for (Index i = begin; i < end; ++i) f(i);
 }
 
 /// Number of threads a parallel loop may use and the calling thread's number: scratch is per

@@ -147,7 +147,7 @@ void Momentum::solve_planes(FluidState& s, VectorField& rhs, const PrescribedVel
     const auto plane_of_u = in_plane<Location::u>(s, rhs, prescribed, dt);
     const auto plane_of_v = in_plane<Location::v>(s, rhs, prescribed, dt);
     const auto plane_of_w = in_plane<Location::w>(s, rhs, prescribed, dt);
-    for_range(0, grid_.nx() + 1, [=, this](Index i) {
+    for_planes(0, grid_.nx() + 1, [=, this](Index i) {
         Real* scratch = scratch_.data() + plane_scratch_ * thread_number();
         plane_of_u(i, scratch);
         plane_of_v(i, scratch);

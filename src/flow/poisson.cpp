@@ -107,7 +107,7 @@ void Poisson::solve_transformed(ScalarField& phi)
     const View<Real> f = phi.view();
     const Index ny = grid_.ny(), nz = grid_.nz();
     const Real scale = 1 / static_cast<Real>(nz);
-    for_range(0, grid_.nx(), [=, this](Index i) {
+    for_planes(0, grid_.nx(), [=, this](Index i) {
         Real* plane = scratch_plane();
         transform_backward(i, plane);
         for (Index j = 0; j < ny; ++j) {

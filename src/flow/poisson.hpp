@@ -25,7 +25,7 @@ public:
     void solve(Rhs rhs, ScalarField& phi)
     {
         const Index ny = grid_.ny(), nz = grid_.nz();
-        for_range(0, grid_.nx(), [=, this](Index i) {
+        for_planes(0, grid_.nx(), [=, this](Index i) {
             const Rhs plane_rhs = rhs; // local, so that the loop vectorises
             Real* plane = scratch_plane();
             for (Index j = 0; j < ny; ++j) {

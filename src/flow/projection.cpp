@@ -6,7 +6,8 @@
 namespace starling {
 
 Projection::Projection(const Grid& g, const FluidParameters& p, const DriveParameters& drive)
-    : grid_(g), viscous_(p.theta / p.reynolds), drive_(drive), poisson_(g), phi_(g)
+    : grid_(g), viscous_(p.theta / p.reynolds), drive_(drive), poisson_(g), phi_(g),
+      inside_share_(starling::inside_share(g))
 {
 }
 
@@ -68,10 +69,10 @@ void Projection::fill_pressure_halo(ScalarField& field) const
     const Index nx = grid_.nx();
     for (Index j = 0; j < grid_.ny(); ++j)
         for (Index k = 0; k < grid_.nz(); ++k) {
-            const Real y = grid_.y(Location::cell, j), z = grid_.z(Location::cell, k);
-            const bool inside = y * y + z * z < 1;
-            P(-1, j, k) += 2 * (inside ? drive_.pressure_inlet : drive_.pressure_external);
-            P(nx, j, k) += 2 * (inside ? drive_.pressure_outlet : drive_.pressure_external);
+            const Real s = inside_share_[j * grid_.nz() + k],
+                       e = (1 - s) * drive_.pressure_external;
+            P(-1, j, k) += 2 * (s * drive_.pressure_inlet + e);
+            P(nx, j, k) += 2 * (s * drive_.pressure_outlet + e);
         }
 }
 

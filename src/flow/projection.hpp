@@ -11,9 +11,10 @@ namespace starling {
 /// of steps at low Re.)
 class Projection {
 public:
-    /// `inside` (r < R_0) decides where the inlet and outlet pressures act on the end faces; the
-    /// external pressure acts elsewhere.
     Projection(const Grid& g, const FluidParameters& p, const DriveParameters& drive);
+
+    /// Takes shares other than `inside_share`: of the pressures inside and outside, 1 - share.
+    void set_inside_share(Array<Real> share) { inside_share_ = std::move(share); }
 
     /// Makes s.u divergence-free and updates s.P; both with valid halos.
     void project(FluidState& s, Real dt);
@@ -30,6 +31,7 @@ private:
     DriveParameters drive_;
     Poisson poisson_;
     ScalarField phi_;
+    Array<Real> inside_share_;
 };
 
 } // namespace starling

@@ -34,7 +34,7 @@ void fill_velocity_halo(const Grid& g, Location c, ScalarField& field)
     const View<Real> f = field.view();
     const bool on_x = c == Location::u, on_y = c == Location::v;
     const Index planes = g.nx() + (on_x ? 1 : 0);
-    for_range(0, planes, [=, &g](Index i) { fill_plane(g, f, i, -1, on_y); });
+    for_planes(0, planes, [=, &g](Index i) { fill_plane(g, f, i, -1, on_y); });
     copy_plane(g, f, -1, on_x ? 1 : 0, 1);
     copy_plane(g, f, planes, g.nx() - 1, 1);
 }
@@ -47,9 +47,20 @@ void fill_velocity_halo(const Grid& g, VectorField& u)
 void fill_increment_halo(const Grid& g, ScalarField& phi)
 {
     const View<Real> f = phi.view();
-    for_range(0, g.nx(), [=, &g](Index i) { fill_plane(g, f, i, 1, false); });
+    for_planes(0, g.nx(), [=, &g](Index i) { fill_plane(g, f, i, 1, false); });
     copy_plane(g, f, -1, 0, -1);
     copy_plane(g, f, g.nx(), g.nx() - 1, -1);
+}
+
+Array<Real> inside_share(const Grid& g)
+{
+    Array<Real> share(g.ny() * g.nz());
+    for (Index j = 0; j < g.ny(); ++j)
+        for (Index k = 0; k < g.nz(); ++k) {
+            const Real y = g.y(Location::cell, j), z = g.z(Location::cell, k);
+            share[j * g.nz() + k] = y * y + z * z < 1 ? 1 : 0;
+        }
+    return share;
 }
 
 } // namespace starling

@@ -18,14 +18,13 @@ public:
     bool pushes_back() const { return scheme_ != CouplingScheme::printed; }
     bool follows_normal_velocity() const { return scheme_ == CouplingScheme::conserving; }
     KernelPair kernels() const;
-    /// The rigid rows beside the clamps carry on the load, and the pressure force beside the wall
-    /// is that of the flow, not of the smeared jump.
-    bool completes_the_load() const { return scheme_ == CouplingScheme::conserving; }
+    /// Rings whose forces act on the fluid and that feel its velocity: those that may move, or all.
+    RingRange acting_rings(const Tube& tube) const;
 
-    /// Replaces f_x of the moving vertices by the guide's reaction (or zero).
+    /// Replaces f_x of the acting rings by the guide's reaction (or zero).
     void constrain_force(const Tube& tube, const Geometry& geometry, Array<Vec3>& f) const;
 
-    /// Turns the fluid's velocity at the moving vertices into the wall's, with no axial part.
+    /// Turns the fluid's velocity at the acting rings into the wall's, with no axial part.
     void constrain_velocity(const Tube& tube, const Geometry& geometry,
                             Array<Vec3>& velocity) const;
 

@@ -1,41 +1,70 @@
 #include "immersed_boundary/coupling.hpp"
 
+#include "grid/boundary.hpp"
+
 namespace starling {
 
 namespace {
 
-/// Planes of component c on which ghost nodes live: all for u, those in the rigid parts for v, w.
-std::vector<char> ghost_planes(const Grid& g, const Tube& tube, Location c)
+/// Planes of component c on which ghost nodes live: all for u, those without acting rings for v, w.
+std::vector<char> ghost_planes(const Grid& g, const Tube& tube, Location c, RingRange acting)
 {
     std::vector<char> active(static_cast<std::size_t>(g.nx() + 1), 1);
     if (c == Location::u) return active;
+    const bool all = acting.begin == 0 && acting.end == tube.rings();
     for (Index i = 0; i <= g.nx(); ++i)
         active[static_cast<std::size_t>(i)] =
-            !(g.x(c, i) > tube.x_clamp_in() && g.x(c, i) < tube.x_clamp_out());
+            !all && !(g.x(c, i) > tube.x_clamp_in() && g.x(c, i) < tube.x_clamp_out());
     return active;
 }
 
-GhostNodes make_ghosts(const Grid& g, const Tube& tube, Location c)
+GhostNodes make_ghosts(const Grid& g, const Tube& tube, Location c, RingRange acting)
 {
-    return GhostNodes(g, tube, c, ghost_planes(g, tube, c));
+    return GhostNodes(g, tube, c, ghost_planes(g, tube, c, acting));
 }
 
-/// Reach of the guide's kernels along x, if the load goes on beyond the clamps.
-Real load_reach(const Grid& g, const AxialGuide& guide)
+/// How deep in the fluid the kernels' smearing ends, if the pressure force is to be completed.
+Real smeared_depth(const Grid& g, CouplingScheme scheme, const KernelPair& kernels)
 {
-    return guide.completes_the_load() ? guide.kernels().reach() * g.spacing().x : 0;
+    return scheme == CouplingScheme::conserving ? kernels.reach() * g.spacing().x : 0;
 }
 
 } // namespace
 
 Coupling::Coupling(const Grid& g, const Tube& tube, const Geometry& geometry, CouplingScheme scheme)
     : grid_(g), tube_(&tube), geometry_(&geometry), guide_(scheme),
-      clamp_load_(tube, load_reach(g, guide_)),
-      transfer_(g, tube, guide_.kernels(), clamp_load_.spreading_rings()),
-      pressure_force_(g, tube, load_reach(g, guide_)), ghosts_{make_ghosts(g, tube, Location::u),
-                                                               make_ghosts(g, tube, Location::v),
-                                                               make_ghosts(g, tube, Location::w)}
+      acting_(guide_.acting_rings(tube)), transfer_(g, tube, guide_.kernels(), acting_),
+      pressure_force_(g, smeared_depth(g, scheme, guide_.kernels())),
+      ghosts_{make_ghosts(g, tube, Location::u, acting_),
+              make_ghosts(g, tube, Location::v, acting_),
+              make_ghosts(g, tube, Location::w, acting_)}
 {
+}
+
+// With f = -A on a straight tube F is the gradient of the smeared inside: its sum along y, up to
+// the quadrature over the rings.
+Array<Real> Coupling::inside_share()
+{
+    Array<Real> share = starling::inside_share(grid_);
+    const auto at = [&](Index j, Index k) -> Real& { return share[j * grid_.nz() + k]; };
+    if (acting_.begin > 0 || acting_.end < tube_->rings()) return share;
+    const WallState rest(*tube_);
+    Geometry geometry(tube_->mesh);
+    geometry.update(rest.x);
+    Array<Vec3> f(rest.x.size());
+    for (Index v = 0; v < f.size(); ++v) f[v] = -1.0 * geometry.vertex_area()[v];
+    transfer_.update(rest.x);
+    ScalarField F(grid_);
+    transfer_.spread(Location::v, f, F);
+    for (Index k = 0; k < grid_.nz(); ++k) {
+        Real sum = 0;
+        for (Index j = 0; j < grid_.ny(); ++j) at(j, k) = sum += grid_.spacing().y * F(0, j, k);
+    }
+    const Index j = std::llround(-grid_.origin().y / grid_.spacing().y - 0.5);
+    const Index k = std::llround(-grid_.origin().z / grid_.spacing().z - 0.5);
+    const Real on_axis = at(j, k);
+    for (Real& a : share) a /= on_axis;
+    return share;
 }
 
 void Coupling::initialise(const WallState& wall, GhostStates& ghosts)
@@ -55,7 +84,6 @@ bool Coupling::update(const WallState& wall, GhostStates& ghosts)
 void Coupling::spread(Array<Vec3>& f, VectorField& F)
 {
     guide_.constrain_force(*tube_, *geometry_, f);
-    clamp_load_.apply(*geometry_, f);
     for (Location c : components) transfer_.spread(c, f, F[c]);
 }
 

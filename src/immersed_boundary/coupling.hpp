@@ -1,7 +1,6 @@
 #pragma once
 /// The hybrid coupling of fluid and wall, Eq. (35): the only place where the two meet in a step.
 #include "immersed_boundary/axial_guide.hpp"
-#include "immersed_boundary/clamp_load.hpp"
 #include "immersed_boundary/ghost_nodes.hpp"
 #include "immersed_boundary/transfer.hpp"
 #include "immersed_boundary/wall_pressure_force.hpp"
@@ -10,8 +9,8 @@ namespace starling {
 
 using GhostStates = std::array<GhostState, 3>;
 
-/// Ghost nodes act on u everywhere and on v and w in the rigid parts; in the deforming part v and w
-/// move the wall and carry its forces.
+/// Ghost nodes act on u everywhere; v and w move the wall and carry its forces. In the rigid parts
+/// ghost nodes act on v and w too, or (scheme `conserving`) forces that hold the wall in place.
 class Coupling {
 public:
     /// `tube` and `geometry` must outlive the coupling.
@@ -37,6 +36,10 @@ public:
     /// wall.velocity of the moving vertices = the fluid's velocity there, as the guide allows. (30)
     void follow(const VectorField& u, WallState& wall);
 
+    /// How much of a cell counts as inside the tube in the pressures of the end faces: as a field
+    /// of ny x nz cells, z fastest. Sharp, or smeared as the forces of the rigid parts are.
+    Array<Real> inside_share();
+
     const GhostNodes& ghosts(Location c) const
     {
         return ghosts_[static_cast<std::size_t>(axis(c))];
@@ -47,7 +50,7 @@ private:
     const Tube* tube_;
     const Geometry* geometry_;
     AxialGuide guide_;
-    ClampLoad clamp_load_;
+    RingRange acting_;
     Transfer transfer_;
     WallPressureForce pressure_force_;
     std::array<GhostNodes, 3> ghosts_;

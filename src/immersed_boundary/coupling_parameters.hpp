@@ -11,6 +11,10 @@ enum class CouplingScheme {
     conserving, ///< composite B-splines, reaction and its adjoint in the wall motion
 };
 
+/// Whether the rigid parts hold the fluid by forces, as the deforming part does, and not by ghost
+/// nodes of v and w.
+constexpr bool supports_rigid_parts(CouplingScheme s) { return s == CouplingScheme::conserving; }
+
 struct CouplingParameters {
     CouplingScheme scheme = CouplingScheme::conserving;
 };

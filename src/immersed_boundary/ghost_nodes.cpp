@@ -342,7 +342,7 @@ void GhostNodes::prescribe(const GhostState& s)
             std::partition_point(s.near_wall.begin(), s.near_wall.end(),
                                  [i](const NearNode& n) { return n.i < i; }) -
             s.near_wall.begin();
-    for_range(0, planes, [this, &s](Index i) { mark_plane(s, static_cast<std::size_t>(i)); });
+    for_planes(0, planes, [this, &s](Index i) { mark_plane(s, static_cast<std::size_t>(i)); });
     std::partial_sum(ghost_begin_.begin(), ghost_begin_.end(), ghost_begin_.begin());
     std::partial_sum(plane_begin_.begin(), plane_begin_.end(), plane_begin_.begin());
     stencils_.resize(static_cast<std::size_t>(ghost_begin_.back()));
@@ -350,7 +350,7 @@ void GhostNodes::prescribe(const GhostState& s)
     offsets_.resize(nodes);
     source_.resize(nodes);
     values_.resize(nodes);
-    for_range(0, planes, [this, &s](Index i) { list_plane(s, static_cast<std::size_t>(i)); });
+    for_planes(0, planes, [this, &s](Index i) { list_plane(s, static_cast<std::size_t>(i)); });
 }
 
 template <class F>

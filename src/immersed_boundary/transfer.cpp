@@ -29,6 +29,33 @@ Real Vec3::*component_of_vector(Location c)
     return c == Location::u ? &Vec3::x : c == Location::v ? &Vec3::y : &Vec3::z;
 }
 
+/// The weights of nodes beyond the ends 0 and `last` at the mirror images of these nodes: about the
+/// end face of a tube for cells, about the node on it for faces. `count` nodes can have weight.
+Stencil4 fold_at_ends(const Stencil4& s, Index last, std::size_t count, bool cells)
+{
+    const Index width = static_cast<Index>(count);
+    Stencil4 folded{static_cast<std::int32_t>(std::clamp<Index>(s.first, 0, last + 1 - width)), {}};
+    for (Index m = 0; m < width; ++m) {
+        Index n = s.first + m;
+        if (n < 0) n = cells ? -1 - n : -n;
+        if (n > last) n = 2 * last - n + (cells ? 1 : 0);
+        folded.weight[static_cast<std::size_t>(n - folded.first)] +=
+            s.weight[static_cast<std::size_t>(m)];
+    }
+    return folded;
+}
+
+/// Copies to the halos of the end planes their mirror images, in the rows of the box.
+void mirror_at_ends(const Grid& g, Location c, const Box& b, View<Real> f)
+{
+    const Index image = c == Location::u ? 1 : 0, last = g.unknowns(c).end[0] - 1;
+    for (Index j = b.begin[1]; j < b.end[1]; ++j)
+        for (Index k = b.begin[2]; k < b.end[2]; ++k) {
+            f(-1, j, k) = f(image, j, k);
+            f(last + 1, j, k) = f(last - image, j, k);
+        }
+}
+
 /// Zeros in the rows of plane i, and in the halos between them.
 void clear_plane(const Box& b, Index i, View<Real> f)
 {
@@ -50,20 +77,23 @@ void sharpen_plane(Real a, const Box& b, Index i, View<const Real> from, View<Re
 
 } // namespace
 
-Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange spreading)
+Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange acting)
     : grid_(g), tube_(&tube), kernels_(kernels),
-      spreading_(spreading), y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
-                                Array<Stencil4>(static_cast<Index>(tube.X.size()))},
+      acting_(acting), y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
+                          Array<Stencil4>(static_cast<Index>(tube.X.size()))},
       z_(y_), scratch_(g)
 {
     const Real h = g.spacing().x;
     for (Real x : tube.ring_x)
-        ring_stencils_.push_back({delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
-                                  delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h)});
+        ring_stencils_.push_back(
+            {fold_at_ends(delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
+                          g.nx() - 1, node_count(kernels.across), true),
+             fold_at_ends(delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h), g.nx(),
+                          node_count(kernels.along), false)});
     reached_.begin[0] = reached_.end[0] = 0;
-    if (spreading.begin < spreading.end) {
-        reached_.begin[0] = stencil_x(Location::cell, spreading.begin).first;
-        reached_.end[0] = stencil_x(Location::u, spreading.end - 1).first + 4;
+    if (acting.begin < acting.end) {
+        reached_.begin[0] = stencil_x(Location::cell, acting.begin).first;
+        reached_.end[0] = stencil_x(Location::u, acting.end - 1).first + 4;
     }
 }
 
@@ -82,7 +112,7 @@ Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::*coordinate, 
     Index bad = 0;
 #pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : low) \
     reduction(max : high)
-    for (Index v = tube_->first(spreading_.begin); v < tube_->first(spreading_.end); ++v) {
+    for (Index v = tube_->first(acting_.begin); v < tube_->first(acting_.end); ++v) {
         const Real s = (position[v].*coordinate - origin) * inverse;
         bad += !(s > 2 && s < top);
         low = std::min(low, s);
@@ -98,7 +128,7 @@ void Transfer::weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, 
     Stencil4 *along = stencils.along.data(), *across = stencils.across.data();
     const Real inverse = 1 / h;
     const KernelPair kernels = kernels_;
-    for_range(tube_->first(spreading_.begin), tube_->first(spreading_.end), [=](Index v) {
+    for_range(tube_->first(acting_.begin), tube_->first(acting_.end), [=](Index v) {
         const Real s = (position[v].*coordinate - origin) * inverse;
         across[v] = delta_weights(kernels.across, s - 0.5);
         along[v] = delta_weights(kernels.along, s);
@@ -107,7 +137,7 @@ void Transfer::weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, 
 
 bool Transfer::update(const Array<Vec3>& x)
 {
-    if (spreading_.begin == spreading_.end) return true; // reaches no node
+    if (acting_.begin == acting_.end) return true; // reaches no node
     const Vec3 h = grid_.spacing(), origin = grid_.origin();
     const Extent y = extent(x, &Vec3::y, origin.y, h.y, grid_.ny());
     const Extent z = extent(x, &Vec3::z, origin.z, h.z, grid_.nz());
@@ -139,12 +169,12 @@ void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
     if (kernels_.sharpening == 0) return gather(c, f, all, out);
     const Box b = support(c, 1);
     // one node more than the box: what is sharpened reads its neighbours
-    gather(c, f,
-           {{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
-            {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}},
-           blunt);
+    const Box around = {{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
+                        {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}};
+    gather(c, f, around, blunt);
+    mirror_at_ends(grid_, c, around, blunt);
     const Real a = kernels_.sharpening;
-    for_range(all.begin[0], all.end[0], [=](Index i) {
+    for_planes(all.begin[0], all.end[0], [=](Index i) {
         clear_plane(all, i, out);
         if (i >= b.begin[0] && i < b.end[0]) sharpen_plane(a, b, i, blunt, out);
     });
@@ -155,11 +185,11 @@ void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
 void Transfer::gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const
 {
     const Index blocks = max_threads(), planes = b.end[0] - b.begin[0];
-    for_range(0, blocks, [=, this, &f, &b](Index block) {
+    for_planes(0, blocks, [=, this, &f, &b](Index block) {
         const Index first = b.begin[0] + planes * block / blocks;
         const Index last = b.begin[0] + planes * (block + 1) / blocks;
         for (Index i = first; i < last; ++i) clear_plane(b, i, F);
-        for (Index ring = spreading_.begin; ring < spreading_.end; ++ring) {
+        for (Index ring = acting_.begin; ring < acting_.end; ++ring) {
             const Index x_first = stencil_x(c, ring).first;
             const Index begin = std::max<Index>({first, 0, x_first});
             const Index end = std::min({last, grid_.nx() + 1, x_first + 4});
@@ -199,14 +229,14 @@ void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& 
         const View<Real> sharp = scratch_.view();
         const Box b = support(c, 0);
         const Real a = kernels_.sharpening;
-        for_range(b.begin[0], b.end[0], [=](Index i) { sharpen_plane(a, b, i, u, sharp); });
+        for_planes(b.begin[0], b.end[0], [=](Index i) { sharpen_plane(a, b, i, u, sharp); });
         u = sharp;
     }
     const auto component = component_of_vector(c);
     Vec3* out = velocity.data();
     const std::size_t nx = node_count(c == Location::u ? kernels_.along : kernels_.across);
     with_widths(kernels_, c, [&](auto ny, auto nz) {
-        for_range(tube_->moving_begin(), tube_->moving_end(), [=, this](Index v) {
+        for_range(tube_->first(acting_.begin), tube_->first(acting_.end), [=, this](Index v) {
             const Stencil4& x = stencil_x(c, v / tube_->ring_size);
             const Stencil4 &y = stencils_y(c)[v], &z = stencils_z(c)[v];
             Real sum = 0;

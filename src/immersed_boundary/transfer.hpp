@@ -16,11 +16,12 @@ namespace starling {
 /// interpolated velocity stays so.
 /// Deviation: the paper spreads to nodes of the deforming part only (sec. 2.5). A stencil cut off
 /// at the clamp loses force and volume: behind the inlet clamp 3 % of the flow left the tube at
-/// Delta P/Delta P_0 = 3. Here the rings next to a clamp reach into the rigid part.
+/// Delta P/Delta P_0 = 3. Here stencils are whole; at the end faces of the tube, where nothing
+/// changes along x, the weights beyond go to the mirror images of their nodes.
 class Transfer {
 public:
-    /// `spreading`: rings that spread forces, all that may move among them.
-    Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange spreading);
+    /// `acting`: rings that spread forces and follow the fluid, all that may move among them.
+    Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRange acting);
 
     /// Computes the weights for positions x. Returns false (and leaves unusable weights) if a
     /// vertex is not finite or too close to the side of the box.
@@ -29,7 +30,7 @@ public:
     /// F = force density at the faces of component c: sum of f_c D. f is a force per vertex.
     void spread(Location c, const Array<Vec3>& f, ScalarField& F);
 
-    /// Component c of `velocity` at every moving vertex = sum of u_c D h^3.
+    /// Component c of `velocity` at every vertex of the acting rings = sum of u_c D h^3.
     void interpolate(Location c, const ScalarField& u, Array<Vec3>& velocity);
 
 private:
@@ -67,7 +68,7 @@ private:
     Grid grid_;
     const Tube* tube_;
     KernelPair kernels_;
-    RingRange spreading_;
+    RingRange acting_;
     std::vector<RingStencils> ring_stencils_; ///< x never changes: computed once
     Stencils y_, z_;
     Box reached_;         ///< nodes of any component that some stencil reaches

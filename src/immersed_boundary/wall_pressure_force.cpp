@@ -4,8 +4,8 @@
 
 namespace starling {
 
-WallPressureForce::WallPressureForce(const Grid& g, const Tube& tube, Real depth)
-    : grid_(g), depth_(depth), x_begin_(tube.x_clamp_in()), x_end_(tube.x_clamp_out()), beyond_(g)
+WallPressureForce::WallPressureForce(const Grid& g, Real depth)
+    : grid_(g), depth_(depth), beyond_(g)
 {
 }
 
@@ -27,11 +27,7 @@ void WallPressureForce::complete(const GhostState& ghosts, const ScalarField& P,
     for_range(0, count, [=](Index m) { F(nodes[m].i, nodes[m].j, nodes[m].k) += missing[m]; });
 }
 
-bool WallPressureForce::acts_on(const NearNode& n) const
-{
-    const Real x = grid_.x(Location::u, n.i);
-    return x > x_begin_ && x < x_end_ && n.i > 0 && n.i < grid_.nx();
-}
+bool WallPressureForce::acts_on(const NearNode& n) const { return n.i > 0 && n.i < grid_.nx(); }
 
 // Of the ghost and not of the node inside: from inside, a faceted wall has many nearest points.
 Real WallPressureForce::gradient_beyond(const Probe& s, const NearNode& ghost) const

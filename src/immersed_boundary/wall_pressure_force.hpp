@@ -8,15 +8,12 @@ namespace starling {
 /// Spreading smears the jump [P] of the pressure over the kernel's width: P = P_ext + [P] H with a
 /// smooth H. The wall's force balances [P] grad H and leaves H d[P]/dx: beside the wall the flow
 /// inside feels only a part of the axial gradient, from one half at the wall to all of it at the
-/// kernel's reach, and where the smearing begins (at the clamps, where the ghost nodes of v and w
-/// take over) it feels what is missing all at once. The true force is that of the flow beyond the
-/// kernel's reach: it is taken from there, along the wall's normal. Derivation: docs/numerics.md.
+/// kernel's reach. The true force is that of the flow beyond the kernel's reach: it is taken from
+/// there, along the wall's normal. Derivation: docs/numerics.md.
 class WallPressureForce {
 public:
-    /// Acts between the clamps, with the force found at `depth` (R_0) from the wall; 0 leaves all
-    /// as it is. Not in the rigid part: ghost nodes hold all components there, and with a force
-    /// that no longer depends on the pressure beside it nothing would hold that pressure.
-    WallPressureForce(const Grid& g, const Tube& tube, Real depth);
+    /// The force is found at `depth` (R_0) from the wall; 0 leaves all as it is.
+    WallPressureForce(const Grid& g, Real depth);
 
     /// Makes room for so many near nodes as the ghosts have.
     void initialise(const GhostState& ghosts) { missing_.reserve(ghosts.near_wall.capacity()); }
@@ -40,7 +37,7 @@ private:
 
     static constexpr Real none = std::numeric_limits<Real>::max();
     Grid grid_;
-    Real depth_, x_begin_, x_end_;
+    Real depth_;
     ScalarField beyond_; ///< at ghost nodes: net gradient of the flow farther inside, or none
     std::vector<Real> missing_; ///< per near node
 };

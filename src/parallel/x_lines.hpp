@@ -36,7 +36,7 @@ public:
     {
         Real* scratch = scratch_.data();
         const Index size = size_;
-        for_range(0, (columns + chunk - 1) / chunk, [=](Index n) {
+        for_planes(0, (columns + chunk - 1) / chunk, [=](Index n) {
             const Index begin = n * chunk;
             solve_chunk(begin, std::min(chunk, columns - begin), scratch + size * thread_number());
         });

@@ -18,6 +18,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.elastic.compute(s.wall.x, w.f);                                // f_e             (3)-(5), (15), (17)
     op.bending.add(s.wall.x, op.geometry, w.f);                       // + f_b           (18)-(23)
     op.contact.add(s.wall.x, op.geometry, w.f);                       //   + what keeps walls apart
+    op.support.apply(s.wall, w.f);                                    //   and what holds the rigid parts
     w.mark(Phase::wall_force);
     if (!op.coupling.update(s.wall, s.ghosts)) return false;          // GN, IE, BI, IP  sec. 2.6
     w.mark(Phase::ghost_search);
@@ -33,6 +34,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     w.mark(Phase::pressure);
     // 4. The wall follows
     op.coupling.follow(s.fluid.u, s.wall);                            // u_w             (30), (35)
+    op.support.hold(op.geometry, s.wall);                             //   where it may
     op.smoothing.add_velocity(op.geometry, s.wall);                   //   + u_s         sec. 2.8
     op.filter.add_velocity(s.wall, dt);                               //   less the waves the fluid cannot see
     s.wall.move(op.tube, dt);                                         // x               (29)

@@ -8,6 +8,7 @@
 #include "wall/contact.hpp"
 #include "wall/elastic_force.hpp"
 #include "wall/mesh_filter.hpp"
+#include "wall/rigid_support.hpp"
 #include "wall/smoothing.hpp"
 
 namespace starling {
@@ -38,6 +39,7 @@ struct Operators {
     ElasticForce elastic;
     Bending bending;
     Contact contact;
+    RigidSupport support;
     Coupling coupling;
     Momentum momentum;
     Projection projection;
@@ -47,10 +49,11 @@ struct Operators {
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
         : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
-          contact(tube, wall.contact), coupling(g, tube, geometry, scheme), momentum(g, fluid),
-          projection(g, fluid, drive), smoothing(tube, wall.smoothing),
-          filter(tube, wall.filter_rate)
+          contact(tube, wall.contact), support(tube, supports_rigid_parts(scheme), fluid.reynolds),
+          coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
+          smoothing(tube, wall.smoothing), filter(tube, wall.filter_rate)
     {
+        projection.set_inside_share(coupling.inside_share());
     }
     Operators(const Operators&) = delete;
     Operators& operator=(const Operators&) = delete;

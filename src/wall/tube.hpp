@@ -23,6 +23,8 @@ struct Tube {
 
     Index rings() const { return static_cast<Index>(ring_x.size()); }
     VertexIndex first(Index ring) const { return static_cast<VertexIndex>(ring) * ring_size; }
+    /// Whether any vertex may move.
+    bool deforms() const { return clamp_out > clamp_in + 1; }
     /// Range of vertices that may move (empty for a rigid tube).
     VertexIndex moving_begin() const { return first(clamp_in + 1); }
     VertexIndex moving_end() const { return std::max(moving_begin(), first(clamp_out)); }

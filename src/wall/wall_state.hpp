@@ -10,9 +10,10 @@ namespace starling {
 struct WallState {
     Array<Vec3> x;        ///< position (R_0)
     Array<Vec3> velocity; ///< wall velocity of the last step (U_c), zero in rigid parts
+    Array<Vec3> support;  ///< force that holds a rigid vertex in place (rho U_c^2 R_0^2)
 
     explicit WallState(const Tube& tube)
-        : x(static_cast<Index>(tube.X.size())), velocity(static_cast<Index>(tube.X.size()))
+        : x(static_cast<Index>(tube.X.size())), velocity(x.size()), support(x.size())
     {
         std::copy(tube.X.begin(), tube.X.end(), x.begin());
     }

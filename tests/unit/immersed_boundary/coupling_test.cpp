@@ -57,6 +57,7 @@ TEST_P(AnyScheme, SpreadsForceAndNothingElse)
     EXPECT_EQ(total.x == 0, GetParam() == CouplingScheme::printed);
 }
 
+// What comes to the rigid parts is for their support.
 TEST_P(AnyScheme, RigidPartsNeverMove)
 {
     place(support::lobed(2, 0.4));
@@ -67,7 +68,7 @@ TEST_P(AnyScheme, RigidPartsNeverMove)
     for (VertexIndex v = 0; v < stage.tube.mesh.vertex_count(); ++v) {
         const bool moves = v >= stage.tube.moving_begin() && v < stage.tube.moving_end();
         EXPECT_EQ(stage.wall.x[v] == before[v], !moves);
-        EXPECT_EQ(stage.wall.velocity[v] == Vec3{}, !moves);
+        EXPECT_EQ(stage.wall.velocity[v] == Vec3{}, !moves && !supports_rigid_parts(GetParam()));
     }
 }
 
@@ -84,7 +85,7 @@ TEST_P(AnyScheme, VerticesMoveWithTheirVelocityAndKeepTheirX)
     }
 }
 
-TEST_P(AnyScheme, GhostsOfVAndWLiveInTheRigidPartsOnly)
+TEST_P(AnyScheme, GhostsOfVAndWLiveInRigidPartsWithoutSupport)
 {
     place(support::lobed(2, 0.4));
     for (Location c : components) {
@@ -93,9 +94,32 @@ TEST_P(AnyScheme, GhostsOfVAndWLiveInTheRigidPartsOnly)
             const auto n = static_cast<std::size_t>(i);
             const Real x = stage.g.x(c, i);
             const bool rigid = x <= stage.tube.x_clamp_in() || x >= stage.tube.x_clamp_out();
-            EXPECT_EQ(p.plane_begin[n + 1] > p.plane_begin[n], rigid || c == Location::u);
+            EXPECT_EQ(p.plane_begin[n + 1] > p.plane_begin[n],
+                      c == Location::u || (rigid && !supports_rigid_parts(GetParam())));
         }
     }
+}
+
+// Smeared as far as the sharpened kernels reach, three spacings, with the area of the section.
+TEST_P(AnyScheme, InsideShareIsThatOfTheTube)
+{
+    const Array<Real> share = coupling.inside_share();
+    const Real h = stage.g.spacing().y;
+    Real area = 0;
+    for (Index j = 0; j < stage.g.ny(); ++j)
+        for (Index k = 0; k < stage.g.nz(); ++k) {
+            const Real r = std::hypot(stage.g.y(Location::cell, j), stage.g.z(Location::cell, k));
+            const Real a = share[j * stage.g.nz() + k];
+            area += a * stage.g.cell_volume() / stage.g.spacing().x;
+            const Real sharp = r < 1 ? 1 : 0;
+            const bool beside_wall = std::abs(r - 1) < 3.5 * h;
+            if (!supports_rigid_parts(GetParam())) {
+                EXPECT_EQ(a, sharp);
+            } else if (!beside_wall) {
+                EXPECT_NEAR(a, sharp, 1e-2);
+            }
+        }
+    EXPECT_NEAR(area, pi, supports_rigid_parts(GetParam()) ? 0.02 : 0.2);
 }
 
 TEST_P(AnyScheme, RefusesAWallThatIsNotFiniteOrLeavesTheBox)

@@ -77,6 +77,27 @@ TEST_P(AnyPair, SpreadingReplacesWhatWasThere)
         0);
 }
 
+// Where all rings act, weights beyond the end faces go to the mirror images of their nodes.
+TEST_P(AnyPair, KeepsForceAndUniformFlowAtTheEndsOfTheTube)
+{
+    Transfer whole(stage.g, stage.tube, GetParam(), {0, stage.tube.rings()});
+    ASSERT_TRUE(whole.update(stage.wall.x));
+    const Array<Vec3> f = random_force();
+    Vec3 total;
+    for (const Vec3& a : f) total += a;
+    Array<Vec3> U(f.size());
+    for (Location c : {Location::v, Location::w}) {
+        ScalarField F(stage.g), one(stage.g);
+        whole.spread(c, f, F);
+        Real sum = 0;
+        support::visit(stage.g.unknowns(c), [&](Index i, Index j, Index k) { sum += F(i, j, k); });
+        EXPECT_NEAR(sum * stage.g.cell_volume(), component_of(c, total), 1e-12);
+        one.fill(1);
+        whole.interpolate(c, one, U);
+        for (const Vec3& a : U) EXPECT_NEAR(component_of(c, a), 1, 1e-14);
+    }
+}
+
 TEST_P(AnyPair, SpreadAndInterpolateAreAdjoint)
 {
     // sum over faces of u F h^3 = sum over vertices of U f, clamps included

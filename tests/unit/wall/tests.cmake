@@ -1,7 +1,8 @@
 starling_test(wall_unit unit
   SOURCES unit/wall/materials_test.cpp unit/wall/wall_mesh_test.cpp unit/wall/tube_test.cpp
           unit/wall/geometry_test.cpp unit/wall/cross_section_test.cpp
-          unit/wall/elastic_force_test.cpp unit/wall/mesh_filter_test.cpp
+          unit/wall/elastic_force_test.cpp unit/wall/mesh_filter_test.cpp unit/wall/high_pass_test.cpp
+          unit/wall/rigid_support_test.cpp
           unit/wall/curvature_test.cpp unit/wall/bending_force_test.cpp
           unit/wall/perturbation_test.cpp unit/wall/smoothing_test.cpp
           unit/wall/lumen_test.cpp unit/wall/contact_test.cpp

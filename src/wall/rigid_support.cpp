@@ -1,0 +1,45 @@
+#include "wall/rigid_support.hpp"
+
+#include "core/for_each.hpp"
+
+namespace starling {
+
+RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds) : gain_(8 / reynolds)
+{
+    if (!support || !tube.deforms()) return;
+    using enum HighPass::Beyond;
+    parts_.emplace_back(tube.mesh, 0, tube.moving_begin(), not_at_all);
+    parts_.emplace_back(tube.mesh, tube.moving_end(), tube.mesh.vertex_count(), not_at_all);
+}
+
+void RigidSupport::apply(const WallState& wall, Array<Vec3>& f) const
+{
+    for (const HighPass& part : parts_)
+        std::copy(&wall.support[part.first()], &wall.support[part.last() - 1] + 1,
+                  &f[part.first()]);
+}
+
+// The waves are those of the pressure f/|A|: vertices on the edges have less area.
+void RigidSupport::hold(const Geometry& geometry, WallState& wall)
+{
+    const Vec3* area = geometry.vertex_area().data();
+    Vec3 *f = wall.support.data(), *U = wall.velocity.data();
+    const Real gain = gain_;
+    for (HighPass& part : parts_) {
+        const Index first = part.first(), last = part.last();
+        Across* waves = part.values();
+        for_range(first, last, [=](Index v) {
+            f[v] -= gain * norm(area[v]) * U[v];
+            U[v] = {};
+            const Real inverse = 1 / norm(area[v]);
+            waves[v - first] = {inverse * f[v].y, inverse * f[v].z};
+        });
+        part.apply();
+        for_range(first, last, [=](Index v) {
+            const Across& p = waves[v - first];
+            f[v] -= norm(area[v]) * Vec3{0, p.y, p.z};
+        });
+    }
+}
+
+} // namespace starling

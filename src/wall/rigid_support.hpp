@@ -1,0 +1,31 @@
+#pragma once
+/// What holds the rigid parts of the tube in place against the fluid.
+#include "wall/geometry.hpp"
+#include "wall/high_pass.hpp"
+
+namespace starling {
+
+/// Forces on the fluid at the vertices of the rigid parts. Every step answers the flow that passes
+/// such a vertex with more force, and takes out the waves that the fluid cannot see,
+///     f <- (1 - H) (f - (8/Re) |A| U),
+/// so that f comes to rest where no fluid passes the wall; the pressure added is 8 times the
+/// viscous mu U/R_0. A load that changes is followed with a lag of a few steps. Derivation and
+/// stability: docs/numerics.md.
+class RigidSupport {
+public:
+    /// `tube` must outlive this. A tube that is rigid all along is left to ghost nodes, and so are
+    /// the rigid parts if no `support` is wanted.
+    RigidSupport(const Tube& tube, bool support, Real reynolds);
+
+    /// f of the rigid vertices = the support's force.
+    void apply(const WallState& wall, Array<Vec3>& f) const;
+
+    /// Turns the fluid's velocity at the rigid vertices into support; they do not move.
+    void hold(const Geometry& geometry, WallState& wall);
+
+private:
+    Real gain_;                   ///< pressure per velocity and step (rho U_c)
+    std::vector<HighPass> parts_; ///< one for each rigid part, none without support
+};
+
+} // namespace starling

@@ -1,0 +1,97 @@
+#include "wall/rigid_support.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/wall/shapes.hpp"
+
+namespace starling {
+namespace {
+
+struct Support : testing::Test {
+    Tube tube = make_tube(support::short_tube(), 0.15);
+    WallState wall{tube};
+    Geometry geometry{tube.mesh};
+    RigidSupport support{tube, true, 0.5};
+
+    Support() { geometry.update(wall.x); }
+    bool rigid(Index v) const { return v < tube.moving_begin() || v >= tube.moving_end(); }
+    /// The fluid flows outwards as fast as `speed` everywhere.
+    void flow_outwards(Real speed)
+    {
+        for (Index v = 0; v < wall.x.size(); ++v)
+            wall.velocity[v] = speed * Vec3{0, wall.x[v].y, wall.x[v].z};
+    }
+};
+
+TEST_F(Support, AnswersFlowThroughTheWallWithPressureAgainstIt)
+{
+    constexpr Real speed = 0.01;
+    for (int step = 1; step <= 3; ++step) {
+        flow_outwards(speed);
+        support.hold(geometry, wall);
+        for (Index v = 0; v < wall.x.size(); ++v) {
+            const Vec3 outwards = {0, wall.x[v].y, wall.x[v].z};
+            const Real area = norm(geometry.vertex_area()[v]);
+            const Vec3 expected = rigid(v) ? -step * (8 / 0.5) * speed * area * outwards : Vec3{};
+            // H sees that the direction turns from vertex to vertex
+            EXPECT_LT(norm(wall.support[v] - expected), 1e-4 * area) << v;
+            EXPECT_EQ(wall.velocity[v] == Vec3{}, rigid(v));
+        }
+    }
+}
+
+TEST_F(Support, ForgetsWavesThatTheFluidCannotSee)
+{
+    const auto largest = [&] {
+        Real most = 0;
+        for (Index v = 0; v < wall.x.size(); ++v)
+            most = std::max(most, norm(wall.support[v]) / norm(geometry.vertex_area()[v]));
+        return most;
+    };
+    for (Index v = 0; v < wall.x.size(); ++v) {
+        const Real sign = v % tube.ring_size % 2 == 0 ? 1 : -1;
+        if (rigid(v))
+            wall.support[v] =
+                sign * norm(geometry.vertex_area()[v]) * Vec3{0, wall.x[v].y, wall.x[v].z};
+    }
+    EXPECT_NEAR(largest(), 1, 1e-12);
+    for (int step = 0; step < 10; ++step) support.hold(geometry, wall);
+    EXPECT_LT(largest(), 1e-2);
+}
+
+TEST_F(Support, ItsForceReplacesThatOfTheRigidVertices)
+{
+    Array<Vec3> f(wall.x.size());
+    f.fill({1, 2, 3});
+    flow_outwards(1);
+    support.hold(geometry, wall);
+    support.apply(wall, f);
+    for (Index v = 0; v < f.size(); ++v)
+        EXPECT_EQ(f[v], rigid(v) ? wall.support[v] : (Vec3{1, 2, 3}));
+}
+
+TEST_F(Support, IsNothingWhereGhostNodesHoldTheRigidParts)
+{
+    auto rigid_tube = support::short_tube();
+    rigid_tube.rigid = true;
+    const Tube stiff = make_tube(rigid_tube, 0.15);
+    RigidSupport none[] = {RigidSupport(tube, false, 0.5), RigidSupport(stiff, true, 0.5)};
+    const Tube* tubes[] = {&tube, &stiff};
+    for (int n : {0, 1}) {
+        WallState w(*tubes[n]);
+        Geometry g(tubes[n]->mesh);
+        g.update(w.x);
+        w.velocity.fill({0, 1, 0});
+        none[n].hold(g, w);
+        Array<Vec3> f(w.x.size());
+        f.fill({1, 2, 3});
+        none[n].apply(w, f);
+        for (Index v = 0; v < f.size(); ++v) {
+            EXPECT_EQ(f[v], (Vec3{1, 2, 3}));
+            EXPECT_EQ(w.support[v], Vec3{});
+        }
+    }
+}
+
+} // namespace
+} // namespace starling
