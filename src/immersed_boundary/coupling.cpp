@@ -74,11 +74,18 @@ void Coupling::initialise(const WallState& wall, GhostStates& ghosts)
     pressure_force_.initialise(ghosts[0]);
 }
 
-bool Coupling::update(const WallState& wall, GhostStates& ghosts)
+bool Coupling::weigh(const WallState& wall) { return transfer_.update(wall.x); }
+
+// Those of v and w stand where nothing moves.
+bool Coupling::search(const WallState& wall, GhostStates& ghosts)
 {
-    if (!transfer_.update(wall.x)) return false;
-    if (tube_->moving_begin() == tube_->moving_end()) return true;
-    return ghosts_[0].update(InterceptSearch(tube_->mesh, wall.x, *geometry_), ghosts[0]);
+    if (!tube_->deforms()) return true;
+    return ghosts_[0].search(InterceptSearch(tube_->mesh, wall.x, *geometry_), ghosts[0]);
+}
+
+void Coupling::place_images(const GhostStates& ghosts)
+{
+    if (tube_->deforms()) ghosts_[0].prescribe(ghosts[0]);
 }
 
 void Coupling::spread(Array<Vec3>& f, VectorField& F)

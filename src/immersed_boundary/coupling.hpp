@@ -19,9 +19,16 @@ public:
     /// Finds all ghost nodes from scratch for the wall at x (geometry up to date).
     void initialise(const WallState& wall, GhostStates& ghosts);
 
-    /// Weights and ghost nodes for the present wall (geometry up to date). Returns false if a
-    /// vertex is not finite, leaves the box or moved by more than a spacing.
-    bool update(const WallState& wall, GhostStates& ghosts);
+    /// Weights of spreading and interpolation for the present wall. Returns false if a vertex is
+    /// not finite or leaves the box.
+    bool weigh(const WallState& wall);
+
+    /// Intercept elements and ghost nodes for the present wall (geometry up to date). Returns false
+    /// if it moved by more than a spacing.
+    bool search(const WallState& wall, GhostStates& ghosts);
+
+    /// Image points and weights of the ghost nodes.
+    void place_images(const GhostStates& ghosts);
 
     /// F = force of the wall on the fluid at the faces; f comes in as a force on each vertex and
     /// leaves with the axial reaction and the load on the rigid rows beside the clamps. (28)

@@ -169,7 +169,8 @@ void GhostNodes::initialise(const Array<Vec3>& x, const InterceptSearch& search,
     found_.reserve(room);
     values_.reserve(room);
     beside_rigid_wall_.assign(active_planes_.size(), 0); // search everywhere once
-    update(search, s);
+    this->search(search, s);
+    prescribe(s);
     const Real reach = 3 * std::max({grid_.spacing().x, grid_.spacing().y, grid_.spacing().z});
     for (Index i = nodes_.begin[0]; i < nodes_.end[0]; ++i)
         beside_rigid_wall_[static_cast<std::size_t>(i)] =
@@ -311,7 +312,7 @@ void GhostNodes::rebuild(GhostState& s)
     nodes.resize(kept);
 }
 
-bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
+bool GhostNodes::search(const InterceptSearch& search, GhostState& s)
 {
     constexpr int most_sweeps = 8;
     NearNode* nodes = s.near_wall.data();
@@ -321,10 +322,7 @@ bool GhostNodes::update(const InterceptSearch& search, GhostState& s)
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         search_missing(search, s);
         turn_over(s);
-        if (turned_.empty()) {
-            prescribe(s);
-            return true;
-        }
+        if (turned_.empty()) return true;
         rebuild(s);
     }
     return false;

@@ -39,10 +39,13 @@ public:
     void initialise(const Array<Vec3>& x, const InterceptSearch& search, GhostState& s);
 
     /// Steps (i) and (ii): walks from the old intercept elements, turns nodes over that the wall
-    /// has passed, declassifies and adds ghost nodes; then (iii) image points and weights. The
-    /// wall may have moved by at most one spacing since the last call. Returns false if the set
-    /// does not settle (the wall moved too far).
-    bool update(const InterceptSearch& search, GhostState& s);
+    /// has passed, declassifies and adds ghost nodes. The wall may have moved by at most one
+    /// spacing since the last call. Returns false if the set does not settle (the wall moved too
+    /// far).
+    bool search(const InterceptSearch& search, GhostState& s);
+
+    /// Step (iii): image points and weights of the ghosts found.
+    void prescribe(const GhostState& s);
 
     /// Values for a wall that does not move along this component: half of the node's own u and half
     /// of u_GN = -(sum_l beta_l u_l - curvature)/(1 + beta_self), the quadratic continuation of the
@@ -82,7 +85,6 @@ private:
     void turn_over(GhostState& s);
     std::size_t merge_candidates(std::vector<NearNode>& nodes);
     void rebuild(GhostState& s);
-    void prescribe(const GhostState& s);
     template <class F>
     void for_ghosts(const GhostState& s, std::size_t plane, F f) const;
     void mark_plane(const GhostState& s, std::size_t plane);

@@ -20,13 +20,18 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.contact.add(s.wall.x, op.geometry, w.f);                       //   + what keeps walls apart
     op.support.apply(s.wall, w.f);                                    //   and what holds the rigid parts
     w.mark(Phase::wall_force);
-    if (!op.coupling.update(s.wall, s.ghosts)) return false;          // GN, IE, BI, IP  sec. 2.6
-    w.mark(Phase::ghost_search);
+    if (!op.coupling.weigh(s.wall)) return false;                     // D               (27)
+    w.mark(Phase::spread);
+    if (!op.coupling.search(s.wall, s.ghosts)) return false;          // IE, BI, GN      sec. 2.6
+    w.mark(Phase::element_search);
+    op.coupling.place_images(s.ghosts);                               // IP              (31)
+    w.mark(Phase::ghost_nodes);
     op.coupling.spread(w.f, w.F);                                     // F               (28), (35)
     op.coupling.complete_pressure_force(s.ghosts, s.fluid.P, w.F);    //   beside the wall
     w.mark(Phase::spread);
     // 2. Intermediate velocity
     const PrescribedVelocity u_GN = op.coupling.no_slip(s.fluid.u);   // u_GN            (32), (44)
+    w.mark(Phase::ghost_nodes);
     op.momentum.predict(s.fluid, w.F, u_GN, dt);                      // u_hat           (36)
     w.mark(Phase::momentum);
     // 3. Pressure

@@ -16,7 +16,8 @@ namespace starling {
 /// Phases of a step that are timed, in order.
 enum class Phase : std::size_t {
     wall_force,
-    ghost_search,
+    element_search,
+    ghost_nodes,
     spread,
     momentum,
     pressure,
@@ -63,8 +64,8 @@ struct Operators {
 struct Workspace {
     Array<Vec3> f; ///< force on each vertex
     VectorField F; ///< force density at the faces, then right-hand side and increment
-    PhaseTimer timer{
-        {"wall force", "ghost search", "spread", "momentum", "pressure", "wall motion"}};
+    PhaseTimer timer{{"wall force", "element search", "ghost nodes", "spread", "momentum",
+                      "pressure", "wall motion"}};
 
     Workspace(const Grid& g, const Tube& tube) : f(static_cast<Index>(tube.X.size())), F(g) {}
     void mark(Phase p) { timer.mark(static_cast<std::size_t>(p)); }

@@ -198,13 +198,13 @@ def speed(report, get):
     phases = r["phase_seconds"]
     whole = sum(phases.values())
     rate = r["cell_steps_per_second"] / 1e6
-    search = phases["ghost search"] / whole
+    search = phases["element search"] / whole
     table = [[f"million cell-steps/s, {r['cells']} cells, {r['threads']} threads, files included",
               report.at_least("speed", rate, 15)],
              ["search of the ghost nodes, share of the step",
               report.at_most("share of the search", search, 0.1, 1)]]
     table += [[f"share of {name}", percent(seconds / whole, 1)]
-              for name, seconds in phases.items() if name != "ghost search"]
+              for name, seconds in phases.items() if name != "element search"]
     report.table(["of one run", "measured"], table)
 
 

@@ -24,7 +24,9 @@ struct AnyScheme : testing::TestWithParam<CouplingScheme> {
     {
         stage.place(support::positions(stage.tube, shape));
         coupling.initialise(stage.wall, ghosts);
-        EXPECT_TRUE(coupling.update(stage.wall, ghosts));
+        EXPECT_TRUE(coupling.weigh(stage.wall));
+        EXPECT_TRUE(coupling.search(stage.wall, ghosts));
+        coupling.place_images(ghosts);
     }
     Array<Vec3> random_force()
     {
@@ -130,7 +132,7 @@ TEST_P(AnyScheme, RefusesAWallThatIsNotFiniteOrLeavesTheBox)
         Array<Vec3> x = before;
         x[stage.tube.moving_begin() + 5].y = bad;
         stage.place(x);
-        EXPECT_FALSE(coupling.update(stage.wall, ghosts));
+        EXPECT_FALSE(coupling.weigh(stage.wall));
     }
 }
 

@@ -33,7 +33,12 @@ struct Ghosts {
     {
         nodes.initialise(stage.wall.x, search(stage), state);
     }
-    bool update(const BoxedTube& stage) { return nodes.update(search(stage), state); }
+    bool update(const BoxedTube& stage)
+    {
+        if (!nodes.search(search(stage), state)) return false;
+        nodes.prescribe(state);
+        return true;
+    }
     std::vector<Index> list() const
     {
         const auto span = nodes.prescribed().node;

@@ -116,7 +116,7 @@ TEST_P(EveryModel, SpreadForceIsTheNodalForce)
     c.op.geometry.update(c.s.wall.x);
     c.op.elastic.compute(c.s.wall.x, c.w.f);
     c.op.support.apply(c.s.wall, c.w.f);
-    ASSERT_TRUE(c.op.coupling.update(c.s.wall, c.s.ghosts));
+    ASSERT_TRUE(c.op.coupling.weigh(c.s.wall));
     c.op.coupling.spread(c.w.f, c.w.F);
 
     Vec3 spread, nodal;
