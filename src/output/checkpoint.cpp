@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Seal checkpoint_seal = {"checkpoint", 1, "docs/checkpoints.md"};
+constexpr Seal checkpoint_seal = {"checkpoint", 2, "docs/checkpoints.md"};
 constexpr std::array<const char*, 3> component_names = {"u", "v", "w"};
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)

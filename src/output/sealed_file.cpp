@@ -96,6 +96,11 @@ void check_seal(const fs::path& path, const Seal& seal)
         refuse(path, fmt::format("has version {} of the format, this program reads up to {}: use "
                                  "the Starling that wrote it or a newer one",
                                  version, seal.version));
+    if (found == 3 && version > 0 && version < seal.version)
+        refuse(path,
+               fmt::format("has version {} of the format, this program writes and reads {}: use "
+                           "the Starling that wrote it",
+                           version, seal.version));
     if (found != 3 || version != seal.version) refuse(path, "is damaged (header)");
     const Contents contents = measure(stream);
     if (contents.bytes < bytes)
