@@ -31,7 +31,7 @@ public:
     void place_images(const GhostStates& ghosts);
 
     /// F = force of the wall on the fluid at the faces; f comes in as a force on each vertex and
-    /// leaves with the axial reaction and the load on the rigid rows beside the clamps. (28)
+    /// leaves with the axial reaction. (28)
     void spread(Array<Vec3>& f, VectorField& F);
 
     /// Makes F whole beside the wall, where it has smeared the jump of the pressure P.
@@ -40,7 +40,7 @@ public:
     /// Ghost-node values from the present velocity. (44)
     PrescribedVelocity no_slip(const VectorField& u);
 
-    /// wall.velocity of the moving vertices = the fluid's velocity there, as the guide allows. (30)
+    /// wall.velocity of the acting rings = the fluid's velocity there, as the guide allows. (30)
     void follow(const VectorField& u, WallState& wall);
 
     /// How much of a cell counts as inside the tube in the pressures of the end faces: as a field

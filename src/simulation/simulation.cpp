@@ -64,6 +64,8 @@ struct Simulation::Impl {
         perturb(tube, c.perturbation, state.wall.x);
         initialise(state, op);
         choose_step(std::abs(c.pressure_ratio()));
+        if (supports_rigid_parts(c.coupling.scheme) && tube.deforms())
+            load_rigid_parts(state, op, workspace, state.dt);
         good = state;
     }
 

@@ -9,6 +9,19 @@ void initialise(State& s, Operators& op)
     op.coupling.initialise(s.wall, s.ghosts);
 }
 
+bool load_rigid_parts(State& s, Operators& op, Workspace& w, Real dt)
+{
+    constexpr int trials = 40;
+    State trial = s;
+    for (int n = 0; n < trials; ++n) {
+        if (!advance(trial, op, w, dt)) return false;
+        std::swap(s.fluid.P, trial.fluid.P);
+        std::swap(s.wall.support, trial.wall.support);
+        trial = s;
+    }
+    return true;
+}
+
 bool advance(State& s, Operators& op, Workspace& w, Real dt)
 {
     w.timer.start();
@@ -39,7 +52,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     w.mark(Phase::pressure);
     // 4. The wall follows
     op.coupling.follow(s.fluid.u, s.wall);                            // u_w             (30), (35)
-    op.support.hold(op.geometry, s.wall);                             //   where it may
+    op.support.hold(op.geometry, s.wall, dt);                         //   where it may
     op.smoothing.add_velocity(op.geometry, s.wall);                   //   + u_s         sec. 2.8
     op.filter.add_velocity(s.wall, dt);                               //   less the waves the fluid cannot see
     s.wall.move(op.tube, dt);                                         // x               (29)

@@ -4,7 +4,7 @@
 
 namespace starling {
 
-RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds) : gain_(8 / reynolds)
+RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds) : reynolds_(reynolds)
 {
     if (!support || !tube.deforms()) return;
     using enum HighPass::Beyond;
@@ -20,11 +20,11 @@ void RigidSupport::apply(const WallState& wall, Array<Vec3>& f) const
 }
 
 // The waves are those of the pressure f/|A|: vertices on the edges have less area.
-void RigidSupport::hold(const Geometry& geometry, WallState& wall)
+void RigidSupport::hold(const Geometry& geometry, WallState& wall, Real dt)
 {
     const Vec3* area = geometry.vertex_area().data();
     Vec3 *f = wall.support.data(), *U = wall.velocity.data();
-    const Real gain = gain_;
+    const Real gain = 4 / std::sqrt(reynolds_ * dt);
     for (HighPass& part : parts_) {
         const Index first = part.first(), last = part.last();
         Across* waves = part.values();

@@ -7,10 +7,10 @@ namespace starling {
 
 /// Forces on the fluid at the vertices of the rigid parts. Every step answers the flow that passes
 /// such a vertex with more force, and takes out the waves that the fluid cannot see,
-///     f <- (1 - H) (f - (8/Re) |A| U),
-/// so that f comes to rest where no fluid passes the wall; the pressure added is 8 times the
-/// viscous mu U/R_0. A load that changes is followed with a lag of a few steps. Derivation and
-/// stability: docs/numerics.md.
+///     f <- (1 - H) (f - 4/sqrt(Re dt) |A| U),
+/// so that f comes to rest where no fluid passes the wall. The pressure added is that which stops a
+/// layer as thick as viscosity reaches in a step. A load that changes is followed with a lag of a
+/// few steps. Derivation and stability: docs/numerics.md.
 class RigidSupport {
 public:
     /// `tube` must outlive this. A tube that is rigid all along is left to ghost nodes, and so are
@@ -21,10 +21,10 @@ public:
     void apply(const WallState& wall, Array<Vec3>& f) const;
 
     /// Turns the fluid's velocity at the rigid vertices into support; they do not move.
-    void hold(const Geometry& geometry, WallState& wall);
+    void hold(const Geometry& geometry, WallState& wall, Real dt);
 
 private:
-    Real gain_;                   ///< pressure per velocity and step (rho U_c)
+    Real reynolds_;
     std::vector<HighPass> parts_; ///< one for each rigid part, none without support
 };
 
