@@ -33,13 +33,15 @@ EVIDENCE = [
      "inflated shapes; the side of every node is right"),
     ("", "FoldedShape.WalkFindsTheNearestOrAnotherIntercept",
      "collapsed-looking and random shapes"),
-    ("", "Morph.UpdatedSetIsTheFreshSetThereAndBack",
+    ("", "Morph.UpdatedSidesAreTheFreshOnesThereAndBack",
      "ghost nodes updated step by step = found from scratch"),
     ("8. Threads", "EveryModel.OneAndTwoThreadsGiveTheSameBits", "state after 20 coupled steps"),
     ("9. Memory", "Advance.AllocatesNothing", "no allocation inside a step"),
-    ("11. Bad input", "BadDimensionlessCase.IsReportedWithLineKeyAndWhatIsAllowed",
+    ("11. Bad input", "BadCases.AWrongValueIsReportedWithWhatIsAllowed",
      "wrong case files, each with its message"),
-    ("", "BadSiCase.IsReportedWithLineKeyAndWhatIsAllowed", "the same in SI units"),
+    ("", "BadCases.AWrongCombinationIsReportedWithWhatIsAllowed", "values that do not fit together"),
+    ("", "BadCases.AWrongValueInSiIsReportedInTheUnitOfTheFile", "the same in SI units"),
+    ("", "BadCases.AMissingKeyIsReportedWithWhatItTakes", "keys left out"),
     ("", "Fuzz.HostileValuesOfEveryKeyAreACaseOrAnInputError", "no crash, no hang"),
     ("", "Fuzz.TruncationAtAnyByteIsACaseOrAnInputError", "no crash, no hang"),
 ]
@@ -80,10 +82,7 @@ def write(report, report_file):
     table = []
     for point, name, claim in EVIDENCE:
         status = found.get(name, [])
-        if not status:
-            cell = "not run"
-        else:
-            passed = sum(s == "run" for s in status)
-            cell = report.check(name, passed == len(status), f"{passed} of {len(status)} pass")
+        passed = sum(s == "run" for s in status)
+        cell = report.check(name, 0 < passed == len(status), f"{passed} of {len(status)} pass")
         table.append([point, f"`{name}`", claim, cell])
     report.table(["point", "test", "asserts", ""], table)
