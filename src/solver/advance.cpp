@@ -17,6 +17,7 @@ bool load_rigid_parts(State& s, Operators& op, Workspace& w, Real dt)
         if (!advance(trial, op, w, dt)) return false;
         std::swap(s.fluid.P, trial.fluid.P);
         std::swap(s.wall.support, trial.wall.support);
+        std::swap(s.wall.passing, trial.wall.passing);
         trial = s;
     }
     return true;
@@ -31,7 +32,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.elastic.compute(s.wall.x, w.f);                                // f_e             (3)-(5), (15), (17)
     op.bending.add(s.wall.x, op.geometry, w.f);                       // + f_b           (18)-(23)
     op.contact.add(s.wall.x, op.geometry, w.f);                       //   + what keeps walls apart
-    op.support.apply(s.wall, w.f);                                    //   and what holds the rigid parts
+    op.support.apply(op.geometry, s.wall, dt, w.f);                   //   and what holds the rigid parts
     w.mark(Phase::wall_force);
     if (!op.coupling.weigh(s.wall)) return false;                     // D               (27)
     w.mark(Phase::spread);

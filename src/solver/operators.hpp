@@ -50,7 +50,8 @@ struct Operators {
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
         : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
-          contact(tube, wall.contact), support(tube, supports_rigid_parts(scheme), fluid.reynolds),
+          contact(tube, wall.contact),
+          support(tube, supports_rigid_parts(scheme), fluid.reynolds, g.delta()),
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
           smoothing(tube, wall.smoothing), filter(tube, wall.filter_rate)
     {

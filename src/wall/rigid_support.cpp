@@ -4,7 +4,8 @@
 
 namespace starling {
 
-RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds) : reynolds_(reynolds)
+RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds, Real delta)
+    : reynolds_(reynolds), delta_(delta)
 {
     if (!support || !tube.deforms()) return;
     using enum HighPass::Beyond;
@@ -12,24 +13,30 @@ RigidSupport::RigidSupport(const Tube& tube, bool support, Real reynolds) : reyn
     parts_.emplace_back(tube.mesh, tube.moving_end(), tube.mesh.vertex_count(), not_at_all);
 }
 
-void RigidSupport::apply(const WallState& wall, Array<Vec3>& f) const
+void RigidSupport::apply(const Geometry& geometry, const WallState& wall, Real dt,
+                         Array<Vec3>& f) const
 {
+    const Vec3 *area = geometry.vertex_area().data(), *support = wall.support.data(),
+               *passing = wall.passing.data();
+    Vec3* force = f.data();
+    const Real inertia = delta_ / (2 * dt);
     for (const HighPass& part : parts_)
-        std::copy(&wall.support[part.first()], &wall.support[part.last() - 1] + 1,
-                  &f[part.first()]);
+        for_range(part.first(), part.last(),
+                  [=](Index v) { force[v] = support[v] - inertia * norm(area[v]) * passing[v]; });
 }
 
 // The waves are those of the pressure f/|A|: vertices on the edges have less area.
 void RigidSupport::hold(const Geometry& geometry, WallState& wall, Real dt)
 {
     const Vec3* area = geometry.vertex_area().data();
-    Vec3 *f = wall.support.data(), *U = wall.velocity.data();
+    Vec3 *f = wall.support.data(), *U = wall.velocity.data(), *passing = wall.passing.data();
     const Real gain = 4 / std::sqrt(reynolds_ * dt);
     for (HighPass& part : parts_) {
         const Index first = part.first(), last = part.last();
         Across* waves = part.values();
         for_range(first, last, [=](Index v) {
             f[v] -= gain * norm(area[v]) * U[v];
+            passing[v] = U[v];
             U[v] = {};
             const Real inverse = 1 / norm(area[v]);
             waves[v - first] = {inverse * f[v].y, inverse * f[v].z};

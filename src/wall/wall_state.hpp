@@ -11,9 +11,11 @@ struct WallState {
     Array<Vec3> x;        ///< position (R_0)
     Array<Vec3> velocity; ///< wall velocity of the last step (U_c), zero in rigid parts
     Array<Vec3> support;  ///< force that holds a rigid vertex in place (rho U_c^2 R_0^2)
+    Array<Vec3> passing;  ///< velocity of the fluid that passed a rigid vertex last (U_c)
 
     explicit WallState(const Tube& tube)
-        : x(static_cast<Index>(tube.X.size())), velocity(x.size()), support(x.size())
+        : x(static_cast<Index>(tube.X.size())), velocity(x.size()), support(x.size()),
+          passing(x.size())
     {
         std::copy(tube.X.begin(), tube.X.end(), x.begin());
     }

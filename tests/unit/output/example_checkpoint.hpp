@@ -22,6 +22,7 @@ struct ExampleCheckpoint {
         state.fluid.dt_before = 0.01;
         for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
         for (Vec3& f : state.wall.support) f = {0, next += 0.1, -2 * next};
+        for (Vec3& u : state.wall.passing) u = {0, 3 * next, next += 0.1};
         for (GhostState& g : state.ghosts) {
             g.inside.values()[7] = 1;
             g.near_wall.push_back({1, 2, 0, false, {5, {next, 2, 3}, 0.25, true}});

@@ -115,7 +115,7 @@ TEST_P(EveryModel, SpreadForceIsTheNodalForce)
     ASSERT_TRUE(c.run(10));
     c.op.geometry.update(c.s.wall.x);
     c.op.elastic.compute(c.s.wall.x, c.w.f);
-    c.op.support.apply(c.s.wall, c.w.f);
+    c.op.support.apply(c.op.geometry, c.s.wall, 0.01, c.w.f);
     ASSERT_TRUE(c.op.coupling.weigh(c.s.wall));
     c.op.coupling.spread(c.w.f, c.w.F);
 

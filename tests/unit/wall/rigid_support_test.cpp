@@ -7,13 +7,13 @@
 namespace starling {
 namespace {
 
-constexpr Real dt = 0.02;
+constexpr Real dt = 0.02, spacing = 0.2;
 
 struct Support : testing::Test {
     Tube tube = make_tube(support::short_tube(), 0.15);
     WallState wall{tube};
     Geometry geometry{tube.mesh};
-    RigidSupport support{tube, true, 0.5};
+    RigidSupport support{tube, true, 0.5, spacing};
 
     Support() { geometry.update(wall.x); }
     bool rigid(Index v) const { return v < tube.moving_begin() || v >= tube.moving_end(); }
@@ -67,9 +67,14 @@ TEST_F(Support, ItsForceReplacesThatOfTheRigidVertices)
     f.fill({1, 2, 3});
     flow_outwards(1);
     support.hold(geometry, wall, dt);
-    support.apply(wall, f);
-    for (Index v = 0; v < f.size(); ++v)
-        EXPECT_EQ(f[v], rigid(v) ? wall.support[v] : (Vec3{1, 2, 3}));
+    support.apply(geometry, wall, dt, f);
+    for (Index v = 0; v < f.size(); ++v) {
+        // and what damps: half of what stops the fluid of a spacing
+        const Vec3 damping = -spacing / (2 * dt) * norm(geometry.vertex_area()[v]) *
+                             Vec3{0, wall.x[v].y, wall.x[v].z};
+        const Vec3 expected = rigid(v) ? wall.support[v] + damping : Vec3{1, 2, 3};
+        EXPECT_LT(norm(f[v] - expected), 1e-14);
+    }
 }
 
 TEST_F(Support, IsNothingWhereGhostNodesHoldTheRigidParts)
@@ -77,7 +82,8 @@ TEST_F(Support, IsNothingWhereGhostNodesHoldTheRigidParts)
     auto rigid_tube = support::short_tube();
     rigid_tube.rigid = true;
     const Tube stiff = make_tube(rigid_tube, 0.15);
-    RigidSupport none[] = {RigidSupport(tube, false, 0.5), RigidSupport(stiff, true, 0.5)};
+    RigidSupport none[] = {RigidSupport(tube, false, 0.5, spacing),
+                           RigidSupport(stiff, true, 0.5, spacing)};
     const Tube* tubes[] = {&tube, &stiff};
     for (int n : {0, 1}) {
         WallState w(*tubes[n]);
@@ -87,7 +93,7 @@ TEST_F(Support, IsNothingWhereGhostNodesHoldTheRigidParts)
         none[n].hold(g, w, dt);
         Array<Vec3> f(w.x.size());
         f.fill({1, 2, 3});
-        none[n].apply(w, f);
+        none[n].apply(g, w, dt, f);
         for (Index v = 0; v < f.size(); ++v) {
             EXPECT_EQ(f[v], (Vec3{1, 2, 3}));
             EXPECT_EQ(w.support[v], Vec3{});
