@@ -55,7 +55,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.coupling.follow(s.fluid.u, s.wall);                            // u_w             (30), (35)
     op.support.hold(op.geometry, s.wall, dt);                         //   where it may
     op.smoothing.add_velocity(op.geometry, s.wall);                   //   + u_s         sec. 2.8
-    op.filter.add_velocity(s.wall, dt);                               //   less the waves the fluid cannot see
+    op.filter.add_velocity(op.geometry, s.wall, dt);                  //   less the waves the fluid cannot see
     s.wall.move(op.tube, dt);                                         // x               (29)
     // clang-format on
     w.mark(Phase::wall_motion);
