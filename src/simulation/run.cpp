@@ -41,6 +41,17 @@ std::string percent_text(Real share)
     return text.str();
 }
 
+/// A value, as for --set, of the stop criterion that ended a run, with which it would go on.
+std::string later_end(const Case& c, const std::string& reason, Index steps)
+{
+    if (reason == "steady")
+        return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
+    if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
+    const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
+    return c.scaling.si ? fmt::format("\"stop.end_time={:g} s\"", end)
+                        : fmt::format("stop.end_time={:g}", end);
+}
+
 /// The state of a run in progress.
 class Run {
 public:
@@ -66,8 +77,8 @@ public:
         stop_.check(moment());
         if (stop_.reason() && files_.complete())
             throw InputError("nothing to do: the run has ended (" + *stop_.reason() +
-                             "); change what ends it, as in --set stop.steps=" +
-                             std::to_string(2 * simulation_.steps()));
+                             "); change what ends it, as in --set " +
+                             later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
         remember(m);
         if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
@@ -290,9 +301,7 @@ private:
 
 bool has_theory(const Case& c)
 {
-    const Real external = c.drive.pressure_external;
-    const bool inflated = c.drive.pressure_inlet >= external && c.drive.pressure_outlet >= external;
-    return c.tube.rigid || (inflated && c.fluid.reynolds <= largest_theory_reynolds);
+    return c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds);
 }
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)

@@ -121,8 +121,11 @@ def test_check_and_theory(directory):
     result = starling("check", CASE)
     expect_exit(result, 0)
     for words in ("Re ", "eps", "cells", "vertices", "memory", "wave speed", "membrane stiffness",
-                  "binds", "steps"):
+                  "binds", "steps", "E/(1 - nu^2)"):
         expect(words in result.stdout, "check does not say", words, "\n", result.stdout)
+    expect("Warning" not in result.stdout, result.stdout)
+    early = starling("check", CASE, "--set", "stop.steps=50").stdout
+    expect("Warning: the run ends before" in early, early)
     result = starling("theory", CASE)
     expect_exit(result, 0)
     expect("Q/Q_0" in result.stdout, result.stdout)
@@ -276,11 +279,31 @@ def test_resume(directory):
     result = starling("resume", parts, "--set", "stop.steps=200", "--set", "wall.eps=0.01")
     expect_exit(result, 2)
     expect("wall.eps: was 0.02, is 0.01" in result.stderr, result.stderr)
-    expect_exit(starling("resume", parts), 2)  # ended: nothing to do
+    check_that_it_ended(parts, "stop.steps=166")
     expect_exit(starling("resume", directory), 2)  # no checkpoint
     expect_same_results(whole, parts)  # refusals change nothing
     for name in ("steady", "end time"):
         expect(name not in starling("resume", parts).stderr, name)
+
+
+def check_that_it_ended(directory, advice):
+    """To resume is refused, without saying that it goes on, with a key that does make it go on."""
+    result = starling("resume", directory)
+    expect_exit(result, 2)
+    expect(result.stdout == "" and f"--set {advice}" in result.stderr, result.stdout, result.stderr)
+
+
+def test_resume_ended(directory):
+    """After each kind of end the advice of resume is one that goes on."""
+    for name, ends, advice in (
+            ("steady", ["stop.steady_tolerance=0.1"], "stop.steady_tolerance=0.01"),
+            ("end time", ["stop.end_time=0.1"], "stop.end_time=0.2")):
+        out = directory / name
+        settings = [word for end in [*ends, "stop.steps="] for word in ("--set", end)]
+        expect_exit(starling("run", *COARSE, *settings, "--out", out), 0)
+        expect(summary_of(out)["reason"] == name, summary_of(out)["reason"])
+        check_that_it_ended(out, advice)
+        expect_exit(starling("resume", out, "--set", advice), 0)
 
 
 COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacing=0.25", "--set",
