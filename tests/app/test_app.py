@@ -647,6 +647,27 @@ def check_axes_of_plots(out):
     expect("Hookean wall" in plot.laplace_label("skalak"), plot.laplace_label("skalak"))
 
 
+def check_shapes_of_plots(out):
+    """History shows how a tube collapses; flow covers what lies just outside the wall."""
+    plot, np = importlib.import_module("plot_run"), importlib.import_module("numpy")
+    for narrowest, widest, expected in ((0.99, 1.3, ["radius"]), (0.6, 1, ["narrowest", "waves"]),
+                                        (0.6, 1.1, ["radius", "narrowest", "waves"])):
+        series = {"min_area_ratio": np.array([1, narrowest]), "R_max": np.array([1, widest])}
+        names = [draw.__name__ for draw in plot.shape_panels(out, series)]
+        expect(names == expected, narrowest, widest, names)
+    x, theta = (a.ravel() for a in np.meshgrid([0, 1, 2], np.arange(40) * np.pi / 20))
+    rest = np.stack([x, np.cos(theta), np.sin(theta)], axis=1)
+    away = rest * [0, 1, 1] * (0.1 * x * np.cos(3 * theta))[:, None]
+    waves = plot.largest_waves({"points": rest + away, "displacement": away}, range(2, 6))
+    expect(np.allclose(waves, [0, 0.2, 0, 0], atol=1e-12), waves)
+    wall = [np.array([[0, y], [4, y]]) for y in (-1.0, 1.0)]
+    inside = plot.inside_wall(np.array([1, 3.5]), np.array([-1.5, -0.5, 0.9, 1.1]), wall)
+    expect(inside.tolist() == [[False] * 2, [True] * 2, [True] * 2, [False] * 2], inside)
+    point = np.zeros((7, 9), dtype=bool)
+    point[3, 4] = True
+    expect(plot.widened(point, 2).sum() == 13, plot.widened(point, 2))
+
+
 def have_plot_packages():
     return subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
                           capture_output=True, check=False).returncode == 0
@@ -680,6 +701,7 @@ def test_plot(directory):
     expect_exit(result, 0)
     expect(result.stderr == "", result.stderr)
     check_axes_of_plots(out)
+    check_shapes_of_plots(out)
     for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
         expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
     (out / "profile.csv").unlink()  # as after a kill
