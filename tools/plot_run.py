@@ -409,7 +409,8 @@ def plot_flow(directory, unit):
     x_axis, u_axis = Axis(unit, [origin[0] + spacing[0] * u.shape[1]]), Axis(u_unit, u)
     begin, u = x_axis(origin[[0, across]]), u_axis(u)
     ends = begin + x_axis(spacing[[0, across]]) * np.array(u.shape)[::-1]
-    figure, axes = plt.subplots(figsize=(9, 3.8))
+    shape = (ends[0] - begin[0]) / (ends[1] - begin[1])
+    figure, axes = plt.subplots(figsize=(np.clip(3 * shape + 2.2, 5, 9), 3.8))
     high = np.nanpercentile(np.abs(u), 99.8) or 1
     picture = axes.imshow(u, origin="lower", extent=(begin[0], ends[0], begin[1], ends[1]),
                           interpolation="bilinear", cmap="RdBu_r", vmin=-high, vmax=high)
