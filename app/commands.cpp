@@ -51,10 +51,6 @@ void resume_command(const CommandLine& line)
                                                               : CheckpointFile(line.checkpoint);
     const Case c = resumed_case(line.directory, checkpoint, line.overrides,
                                 line.accept_changes ? Changes::any : Changes::stop_and_output);
-    if (!line.quiet)
-        fmt::print("Going on from step {}, t = {:.6g} {}\n", checkpoint.step(),
-                   checkpoint.t() * c.scaling.factor(Quantity::time),
-                   c.scaling.unit(Quantity::time));
     observe(line, c,
             [&](RunObserver& observer) { return resume(c, checkpoint, line.directory, observer); });
 }

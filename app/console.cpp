@@ -60,6 +60,10 @@ void ConsoleObserver::started(const RunStart& start)
                c.title.empty() ? "run" : c.title, start.simulation.cells(),
                start.simulation.vertices(), start.simulation.elements(),
                scaling_.si ? "SI units" : "units of R_0, U_c and rho");
+    if (start.simulation.steps() > 0)
+        fmt::print("Going on from step {}, t = {:.6g} {}\n", start.simulation.steps(),
+                   start.simulation.time() * scaling_.factor(Quantity::time),
+                   scaling_.unit(Quantity::time));
     std::fflush(stdout);
 }
 

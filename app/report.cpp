@@ -134,7 +134,9 @@ void add_numbers(Table& table, const Case& c, const RunEstimate& e)
     }
     table.line("Delta P / Delta P_0", c.pressure_ratio());
     table.line("length of the tube", c.tube.length, Quantity::length);
-    if (!c.tube.rigid) table.line("Moens-Korteweg wave speed", e.wave_speed, Quantity::velocity);
+    if (!c.tube.rigid)
+        table.line("Moens-Korteweg wave speed",
+                   table.number(e.wave_speed, Quantity::velocity) + ", with E/(1 - nu^2)");
 }
 
 void add_discretisation(Table& table, const RunEstimate& e)
@@ -167,14 +169,16 @@ void add_cost(Table& table, const Case& c, const RunEstimate& e)
 {
     if (c.stop.steady_tolerance)
         table.line("relaxation time of the tube", e.relaxation_time, Quantity::time);
+    const char* about = e.at_least ? "more than" : "about";
     if (std::isfinite(e.duration)) {
-        table.line("simulated time", "about " + table.number(e.duration, Quantity::time));
-        table.line("steps", fmt::format("about {:.0f}", e.steps));
+        table.line("simulated time",
+                   fmt::format("{} {}", about, table.number(e.duration, Quantity::time)));
+        table.line("steps", fmt::format("{} {:.0f}", about, e.steps));
     }
     if (std::isfinite(e.seconds))
         table.line("wall-clock time",
-                   fmt::format("about {} at {:.0f} million cell-steps/s", duration_text(e.seconds),
-                               assumed_cell_steps_per_second / 1e6));
+                   fmt::format("{} {} at {:.0f} million cell-steps/s", about,
+                               duration_text(e.seconds), assumed_cell_steps_per_second / 1e6));
 }
 
 } // namespace

@@ -147,41 +147,126 @@ def plot_profiles(directory, profile, theory, law):
 
 
 def plot_history(directory, series, summary):
-    """Q(t), R_max(t) and the leak."""
-    figure, (flow, radius, leak) = plt.subplots(
-        3, 1, figsize=(7.2, 7.6), sharex=True, height_ratios=(3, 3, 2))
-    t_axis, R_axis = series.axis("t"), series.axis("R_max")
-    Q_axis = series.axis("Q_in", "Q_mid", "Q_out")
+    """Q(t), the shape over time and the leak."""
+    shapes = shape_panels(directory, series)
+    figure, panels = plt.subplots(len(shapes) + 2, 1, figsize=(7.2, 4.9 + 2.7 * len(shapes)),
+                                  sharex=True, height_ratios=(3, *[3] * len(shapes), 2))
+    t_axis = series.axis("t")
     t = t_axis(series["t"])
     theory = summary.get("theory") or {}
-    for name, words, color in (("Q_in", "inlet", RED), ("Q_mid", "middle", BLUE),
-                               ("Q_out", "outlet", GREEN)):
-        flow.plot(t, Q_axis(series[name]), color=color, label=words)
-    radius.plot(t, R_axis(series["R_max"]), color=BLUE, label="Starling")
-    if "Q_1d" in theory:
-        flow.axhline(Q_axis(theory["Q_1d"]), color=GREY, lw=1.2, ls=(0, (5, 2)),
-                     label="one-dimensional model")
-        radius.axhline(R_axis(theory["R_max_1d"]), color=GREY, lw=1.2, ls=(0, (5, 2)),
-                       label="one-dimensional model")
-    scale = np.where(series["Q_mid"] == 0, np.nan, series["Q_mid"])
-    leak.plot(t, 100 * series["leak"] / scale, color=BLUE)
-    late = np.abs(100 * series["leak"] / scale)[len(t) // 4:]
-    if np.isfinite(late).any():  # the start-up, with hardly any flow yet, would hide the rest
-        bound = max(1.0, 1.5 * np.nanmax(late))
-        leak.set_ylim(-bound, bound)
-    limit_to_bulk(flow, Q_axis(np.concatenate([series[n] for n in ("Q_in", "Q_mid", "Q_out")])),
-                  Q_axis(theory["Q_1d"]) if "Q_1d" in theory else None)
-    flow.set_ylabel(Q_axis.label("flow rate"))
-    radius.set_ylabel(R_axis.label("largest radius"))
-    leak.set_ylabel("leak [% of the flow]")
-    leak.set_xlabel(t_axis.label("time"))
-    flow.set_title("From rest to " + ("the steady state" if summary.get("converged") else
-                                      "the end of the run"), loc="left")
-    flow.legend(ncol=2)
-    radius.legend()
-    for axes in (flow, radius, leak):
+    draw_flow_rates(panels[0], t, series, theory)
+    for draw, panel in zip(shapes, panels[1:]):
+        draw(panel, t_axis, theory)
+    draw_leak(panels[-1], t, series)
+    panels[-1].set_xlabel(t_axis.label("time"))
+    panels[0].set_title("From rest to " + ("the steady state" if summary.get("converged") else
+                                           "the end of the run"), loc="left")
+    for axes in panels:
         axes.margins(x=0)
     save(figure, directory, "history.png")
+
+
+COLLAPSED = 0.95  # area over the undeformed one, below which a tube is drawn as one that collapses
+WIDENED = 1.005   # largest radius over the undeformed one, above which it is worth a panel there
+
+
+def shape_panels(directory, series):
+    """What draws the shape over time: the radius of a tube that widens; the narrowest section and
+    its waves of one that collapses."""
+    def radius(axes, t_axis, theory):
+        draw_largest_radius(axes, t_axis(series["t"]), series, theory)
+
+    def narrowest(axes, t_axis, _):
+        draw_narrowest(axes, t_axis(series["t"]), series)
+
+    def waves(axes, t_axis, _):
+        draw_waves(axes, t_axis, frames)
+
+    if not (series["min_area_ratio"] < COLLAPSED).any():
+        return [radius]
+    frames = waves_of_frames(directory)
+    panels = [narrowest] if frames is None else [narrowest, waves]
+    return [radius, *panels] if series["R_max"].max() > WIDENED * series["R_max"][0] else panels
+
+
+def draw_flow_rates(axes, t, series, theory):
+    names = ("Q_in", "Q_mid", "Q_out")
+    Q_axis = series.axis(*names)
+    for name, words, color in zip(names, ("inlet", "middle", "outlet"), (RED, BLUE, GREEN)):
+        axes.plot(t, Q_axis(series[name]), color=color, label=words)
+    model = Q_axis(theory["Q_1d"]) if "Q_1d" in theory else None
+    if model is not None:
+        axes.axhline(model, color=GREY, lw=1.2, ls=(0, (5, 2)), label="one-dimensional model")
+    limit_to_bulk(axes, Q_axis(np.concatenate([series[n] for n in names])), model)
+    axes.set_ylabel(Q_axis.label("flow rate"))
+    axes.legend(ncol=2)
+
+
+def draw_largest_radius(axes, t, series, theory):
+    R_axis = series.axis("R_max")
+    axes.plot(t, R_axis(series["R_max"]), color=BLUE, label="Starling")
+    if "R_max_1d" in theory:
+        axes.axhline(R_axis(theory["R_max_1d"]), color=GREY, lw=1.2, ls=(0, (5, 2)),
+                     label="one-dimensional model")
+    axes.set_ylabel(R_axis.label("largest radius"))
+    axes.legend()
+
+
+def draw_narrowest(axes, t, series):
+    """The smallest section and the smallest gap, both over their undeformed values."""
+    axes.plot(t, series["min_area_ratio"], color=BLUE, label="smallest section")
+    axes.plot(t, series["smallest_gap"] / series["smallest_gap"][0], color=RED,
+              label="smallest gap")
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel("over that at the start")
+    axes.legend()
+
+
+def draw_waves(axes, t_axis, frames):
+    """The amplitudes of the waves around the tube, those that matter, at the frames of the wall."""
+    times, amplitudes, unit = frames
+    axis = Axis(unit, amplitudes)
+    for n, color in zip(np.argsort(-amplitudes.max(axis=0))[:3], (BLUE, RED, GREEN)):
+        axes.plot(t_axis(times), axis(amplitudes[:, n]), color=color, marker="o", ms=4,
+                  lw=1.2 if len(times) > 2 else 0, label=f"{n + 2} lobes")
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel(axis.label("amplitude in the radius"))
+    axes.legend()
+
+
+def waves_of_frames(directory, lobes=range(2, 9)):
+    """Times of the frames of the wall, the largest amplitude along the tube of the waves of 2 to 8
+    lobes in each, and their unit; None without frames."""
+    path = os.path.join(directory, "wall.h5")
+    if not os.path.exists(path):
+        return None
+    times, amplitudes = [], []
+    with h5py.File(path, "r", locking=False) as file:
+        for _, frame in sorted(file["frames"].items()):
+            unit = unit_of(frame["points"])
+            times.append(float(frame.attrs["t"]))
+            amplitudes.append(largest_waves(frame, lobes))
+    return np.array(times), np.array(amplitudes), unit
+
+
+def largest_waves(frame, lobes):
+    points = frame["points"][...].astype(float)
+    rest = points - frame["displacement"][...]
+    theta, radius = np.arctan2(rest[:, 2], rest[:, 1]), np.hypot(points[:, 1], points[:, 2])
+    ring = np.unique(np.round(rest[:, 0] / np.ptp(rest[:, 0]), 5), return_inverse=True)[1]
+    count = np.bincount(ring)
+    return [np.hypot(*(2 * np.bincount(ring, radius * wave(n * theta)) / count
+                       for wave in (np.cos, np.sin))).max() for n in lobes]
+
+
+def draw_leak(axes, t, series):
+    leak = 100 * series["leak"] / np.where(series["Q_mid"] == 0, np.nan, series["Q_mid"])
+    axes.plot(t, leak, color=BLUE)
+    late = np.abs(leak)[len(t) // 4:]
+    if np.isfinite(late).any():  # the start-up, with hardly any flow yet, would hide the rest
+        bound = max(1.0, 1.5 * np.nanmax(late))
+        axes.set_ylim(-bound, bound)
+    axes.set_ylabel("leak [% of the flow]")
 
 
 def limit_to_bulk(axes, values, reference):
@@ -324,20 +409,58 @@ def plot_flow(directory, unit):
     x_axis, u_axis = Axis(unit, [origin[0] + spacing[0] * u.shape[1]]), Axis(u_unit, u)
     begin, u = x_axis(origin[[0, across]]), u_axis(u)
     ends = begin + x_axis(spacing[[0, across]]) * np.array(u.shape)[::-1]
-    figure, axes = plt.subplots(figsize=(9, 3.6))
+    shape = (ends[0] - begin[0]) / (ends[1] - begin[1])
+    figure, axes = plt.subplots(figsize=(np.clip(3 * shape + 2.2, 5, 9), 3.8))
     high = np.nanpercentile(np.abs(u), 99.8) or 1
     picture = axes.imshow(u, origin="lower", extent=(begin[0], ends[0], begin[1], ends[1]),
                           interpolation="bilinear", cmap="RdBu_r", vmin=-high, vmax=high)
     corners = wall_corners(os.path.join(directory, "wall.h5"))
     wall = [x_axis(segment) for segment in wall_section(corners, normal)]
+    hide_ghost_nodes(axes, wall, x_axis(spacing[[0, across]]), (begin, ends))
     axes.add_collection(LineCollection(wall, colors="#20242b", linewidths=1.6, capstyle="round"))
     axes.set(aspect="equal", xlabel=x_axis.label("$x$"), ylabel=x_axis.label(f"${' yz'[across]}$"))
     axes.grid(False)
-    axes.set_title("Axial velocity in the plane of the axis; black: the wall", loc="left")
+    axes.set_title("Axial velocity in the plane of the axis\n"
+                   "black: the wall; grey: ghost nodes, no flow", loc="left")
     bar = figure.colorbar(picture, ax=axes, shrink=0.8, pad=0.02)
     bar.set_label(u_axis.label("$u$"))
     bar.outline.set_visible(False)
     save(figure, directory, "flow.png")
+
+
+GHOST_REACH = 2  # spacings outside the wall within which ghost nodes show in a picture
+
+
+def hide_ghost_nodes(axes, wall, spacing, box):
+    """Covers what lies just outside the wall: values there continue the flow inside backwards, to
+    hold it at rest at the wall, and are no flow."""
+    fine = 4  # pixels per spacing
+    begin, ends = box
+    x, y = (np.arange(b, e, h / fine) + h / (2 * fine) for b, e, h in zip(begin, ends, spacing))
+    inside = inside_wall(x, y, wall)
+    hidden = widened(inside, GHOST_REACH * fine) & ~inside
+    axes.imshow(np.where(hidden, 1.0, np.nan), origin="lower", interpolation="nearest",
+                extent=(begin[0], ends[0], begin[1], ends[1]), cmap=colors.ListedColormap(["#b9bcc2"]))
+
+
+def inside_wall(x, y, wall):
+    """Which points (y, x) of a grid have the wall an odd number of times below them."""
+    crossings = np.zeros((len(y), len(x)), dtype=int)
+    for (x0, y0), (x1, y1) in wall:
+        for column in np.flatnonzero((x0 < x) != (x1 < x)):
+            crossings[:, column] += y > y0 + (x[column] - x0) / (x1 - x0) * (y1 - y0)
+    return crossings % 2 == 1
+
+
+def widened(mask, radius):
+    """The mask and all that is at most so many pixels from it."""
+    padded, wide = np.pad(mask, radius), np.zeros_like(mask)
+    rows, columns = mask.shape
+    for row in range(-radius, radius + 1):
+        reach = int(np.sqrt(radius ** 2 - row ** 2))
+        for column in range(-reach, reach + 1):
+            wide |= padded[radius + row:radius + row + rows, radius + column:radius + column + columns]
+    return wide
 
 
 def middle_layers(velocity, origin, spacing, normal):

@@ -26,15 +26,15 @@ struct RowTile {
 /// The transpose: value r of pack k becomes value k of pack r.
 inline RowTile transposed(const RowTile& tile)
 {
-    using Pick __attribute__((vector_size(4 * sizeof(Real)))) = std::int64_t;
-    const Pick even = {0, 4, 2, 6}, odd = {1, 5, 3, 7}, low = {0, 1, 4, 5}, high = {2, 3, 6, 7};
     const RowPack* a = tile.pack;
-    const RowPack even_01 = __builtin_shuffle(a[0], a[1], even);
-    const RowPack even_23 = __builtin_shuffle(a[2], a[3], even);
-    const RowPack odd_01 = __builtin_shuffle(a[0], a[1], odd);
-    const RowPack odd_23 = __builtin_shuffle(a[2], a[3], odd);
-    return {__builtin_shuffle(even_01, even_23, low), __builtin_shuffle(odd_01, odd_23, low),
-            __builtin_shuffle(even_01, even_23, high), __builtin_shuffle(odd_01, odd_23, high)};
+    const RowPack even_01 = __builtin_shufflevector(a[0], a[1], 0, 4, 2, 6);
+    const RowPack even_23 = __builtin_shufflevector(a[2], a[3], 0, 4, 2, 6);
+    const RowPack odd_01 = __builtin_shufflevector(a[0], a[1], 1, 5, 3, 7);
+    const RowPack odd_23 = __builtin_shufflevector(a[2], a[3], 1, 5, 3, 7);
+    return {__builtin_shufflevector(even_01, even_23, 0, 1, 4, 5),
+            __builtin_shufflevector(odd_01, odd_23, 0, 1, 4, 5),
+            __builtin_shufflevector(even_01, even_23, 2, 3, 6, 7),
+            __builtin_shufflevector(odd_01, odd_23, 2, 3, 6, 7)};
 }
 
 } // namespace starling

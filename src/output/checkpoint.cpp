@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "output/sealed_file.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 
@@ -21,7 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr Seal checkpoint_seal = {"checkpoint", 2, "docs/checkpoints.md"};
 constexpr std::array<const char*, 3> component_names = {"u", "v", "w"};
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)

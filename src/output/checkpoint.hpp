@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "output/hdf5_file.hpp"
+#include "output/sealed_file.hpp"
 #include "solver/monitor_data.hpp"
 #include "solver/state.hpp"
 
 namespace starling {
+
+inline constexpr Seal checkpoint_seal = {"checkpoint", 2, "docs/checkpoints.md"};
 
 /// What a run remembers beside the state of the computation.
 struct RunMemory {

@@ -68,13 +68,18 @@ std::string read_header(const fs::path& path, std::istream& stream)
 
 } // namespace
 
+std::string seal_of(std::span<const char> contents, const Seal& seal)
+{
+    Crc64 crc;
+    crc.add(contents);
+    return seal_text(seal, {contents.size(), crc.value()});
+}
+
 void save_sealed(const hdf5::File& file, const Seal& seal, bool sync)
 {
     file.save(
         [&](std::span<char> all) {
-            Crc64 crc;
-            crc.add(all.subspan(seal_size));
-            std::ranges::copy(seal_text(seal, {all.size() - seal_size, crc.value()}), all.begin());
+            std::ranges::copy(seal_of(all.subspan(seal_size), seal), all.begin());
         },
         sync);
 }

@@ -5,6 +5,7 @@
 /// with the kind of file, the version of its format, the size and a CRC-64 of all that follows: a
 /// damaged file is recognised before HDF5 sees it.
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "output/hdf5_file.hpp"
@@ -19,6 +20,9 @@ struct Seal {
 };
 
 inline constexpr std::size_t seal_size = 512; ///< bytes in front of the HDF5 file
+
+/// The text that stands in front of these bytes of an HDF5 file.
+std::string seal_of(std::span<const char> contents, const Seal& seal);
 
 /// Saves a file that was created with a user block of `seal_size`; throws as File::save does.
 void save_sealed(const hdf5::File& file, const Seal& seal, bool sync);

@@ -7,10 +7,8 @@
 
 #include "core/error.hpp"
 #include "grid/grid.hpp"
-#include "simulation/run.hpp"
+#include "simulation/forewarnings.hpp"
 #include "simulation/steady.hpp"
-#include "theory/one_dimensional.hpp"
-#include "theory/poiseuille.hpp"
 #include "theory/wave_speed.hpp"
 
 namespace starling {
@@ -22,19 +20,6 @@ constexpr Real bytes_per_cell = 255;
 constexpr Real bytes_per_vertex = 1400;
 constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
 
-/// Speed on the axis where it is largest: Poiseuille flow in the rigid ends.
-Real expected_speed(const Case& c)
-{
-    if (has_theory(c)) {
-        try {
-            const auto tube = solve_one_dimensional({c.tube, c.material, c.fluid, c.drive});
-            return std::abs(tube.Q) / poiseuille::baseline_flow_rate;
-        } catch (const NumericalError&) {
-        }
-    }
-    return std::abs(c.pressure_ratio());
-}
-
 void count_wall(RunEstimate& e, const Case& c, Real delta)
 {
     const Real edge = c.tube.edge_over_spacing * delta;
@@ -44,26 +29,14 @@ void count_wall(RunEstimate& e, const Case& c, Real delta)
     e.elements = static_cast<Index>(2 * ring * rows);
 }
 
-std::string factor_text(Real factor)
+void choose_step(RunEstimate& e, const Case& c, Real speed, Real delta)
 {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(1) << factor;
-    return text.str();
-}
-
-void choose_step(RunEstimate& e, const Case& c, Real delta)
-{
-    e.limits = time_step_limits(c, delta, expected_speed(c));
+    e.limits = time_step_limits(c, delta, speed);
     if (c.time.step)
         e.binding = {"fixed by the case", *c.time.step};
     else if (!e.limits.empty())
         e.binding = smallest(e.limits);
     e.dt = e.binding.dt;
-    for (const TimeStepLimit& limit : e.limits)
-        if (c.time.step && *c.time.step > limit.dt)
-            e.warnings.push_back("the fixed time step is " + factor_text(*c.time.step / limit.dt) +
-                                 " times the limit named " + limit.name +
-                                 ": the run may break down");
 }
 
 Real expected_duration(const Case& c, Real dt)
@@ -96,6 +69,12 @@ Real expected_time_to_steady(const Case& c, Real tolerance)
     return relaxation_time(c) * std::max(Real{1}, std::log(change_over_window / tolerance));
 }
 
+bool may_collapse(const Case& c)
+{
+    const DriveParameters& d = c.drive;
+    return !c.tube.rigid && std::min(d.pressure_inlet, d.pressure_outlet) < d.pressure_external;
+}
+
 RunEstimate estimate_run(const Case& c)
 {
     RunEstimate e;
@@ -109,12 +88,16 @@ RunEstimate estimate_run(const Case& c)
                            bytes_per_vertex * static_cast<Real>(e.vertices));
     e.wave_speed = c.tube.rigid ? std::numeric_limits<Real>::quiet_NaN()
                                 : wave_speed(c.material, c.fluid.reynolds);
-    choose_step(e, c, grid.delta());
+    const Prediction prediction = predict(c);
+    choose_step(e, c, expected_speed(c, prediction), grid.delta());
     e.relaxation_time = relaxation_time(c);
     e.duration = expected_duration(c, e.dt);
+    e.at_least = may_collapse(c) && c.stop.steady_tolerance &&
+                 e.duration == expected_time_to_steady(c, *c.stop.steady_tolerance);
     e.steps = std::ceil(e.duration / e.dt);
     e.seconds = e.steps * static_cast<Real>(e.cells) / assumed_cell_steps_per_second;
     if (c.stop.wall_clock) e.seconds = std::min(e.seconds, *c.stop.wall_clock);
+    e.warnings = forewarnings(c, prediction, e);
     return e;
 }
 

@@ -14,14 +14,15 @@ struct RunEstimate {
     Index cells = 0;
     Index vertices = 0, elements = 0;
     Index memory_bytes = 0;
-    Real wave_speed = 0;               ///< Moens-Korteweg; NaN for a rigid tube
+    Real wave_speed = 0;               ///< at rest, with E/(1 - nu^2); NaN for a rigid tube
     std::vector<TimeStepLimit> limits; ///< the case's safety factor included
     TimeStepLimit binding;             ///< the smallest of them, or the fixed step
     Real dt = 0;
     Real relaxation_time = 0;
     Real duration = 0; ///< of the run, up to the first stop criterion
     Real steps = 0;
-    Real seconds = 0; ///< at `assumed_cell_steps_per_second`
+    Real seconds = 0;      ///< at `assumed_cell_steps_per_second`
+    bool at_least = false; ///< duration, steps and seconds are lower bounds
     std::vector<std::string> warnings;
 };
 
@@ -31,6 +32,9 @@ inline constexpr Real assumed_cell_steps_per_second = 10e6;
 /// exp(-t/T), T = relaxation_time(c); over a window of T/4 it changes by 0.22 exp(-t/T), which
 /// reaches the tolerance at T ln(0.22/tolerance): 7.7 T for 1e-4.
 Real expected_time_to_steady(const Case& c, Real tolerance);
+
+/// Whether somewhere the pressure inside a compliant tube is lower than outside.
+bool may_collapse(const Case& c);
 
 RunEstimate estimate_run(const Case& c);
 

@@ -1,9 +1,7 @@
 #include "simulation/run.hpp"
 
 #include <chrono>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include <fmt/format.h>
 
@@ -12,6 +10,7 @@
 #include "output/version.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/run_files.hpp"
+#include "simulation/run_warnings.hpp"
 #include "simulation/stop.hpp"
 #include "theory/theory_report.hpp"
 
@@ -19,10 +18,8 @@ namespace starling {
 
 namespace {
 
-constexpr Real least_resolved_gap = 2;      ///< in grid spacings
 constexpr Real largest_theory_reynolds = 1; ///< the one-dimensional model has no inertia
 constexpr int most_retries = 3;             ///< after breakdowns, each with half the step
-constexpr Real leak_to_warn_of = 0.02;      ///< share of the flow
 
 std::optional<TheoryReport> theory_of(const Case& c)
 {
@@ -34,11 +31,15 @@ std::optional<TheoryReport> theory_of(const Case& c)
     }
 }
 
-std::string percent_text(Real share)
+/// A value, as for --set, of the stop criterion that ended a run, with which it would go on.
+std::string later_end(const Case& c, const std::string& reason, Index steps)
 {
-    std::ostringstream text;
-    text << std::setprecision(3) << 100 * share << " %";
-    return text.str();
+    if (reason == "steady")
+        return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
+    if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
+    const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
+    return c.scaling.si ? fmt::format("\"stop.end_time={:g} s\"", end)
+                        : fmt::format("stop.end_time={:g}", end);
 }
 
 /// The state of a run in progress.
@@ -66,8 +67,8 @@ public:
         stop_.check(moment());
         if (stop_.reason() && files_.complete())
             throw InputError("nothing to do: the run has ended (" + *stop_.reason() +
-                             "); change what ends it, as in --set stop.steps=" +
-                             std::to_string(2 * simulation_.steps()));
+                             "); change what ends it, as in --set " +
+                             later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
         remember(m);
         if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
@@ -245,27 +246,8 @@ private:
         for (const PhaseTime& p : simulation_.phase_times())
             s.phase_seconds.emplace_back(p.name, p.seconds);
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
-        s.warnings = warnings(s);
+        s.warnings = run_warnings(case_, s, step_factor_);
         return s;
-    }
-
-    std::vector<std::string> warnings(const Summary& s) const
-    {
-        std::vector<std::string> found;
-        if (std::abs(s.leak_over_Q()) > leak_to_warn_of)
-            found.push_back("the leak through the wall is " + percent_text(s.leak_over_Q()) +
-                            " of the flow: a finer grid lets less through");
-        if (last_.smallest_gap < least_resolved_gap * s.spacing)
-            found.push_back(fmt::format("opposite walls are {:.2g} grid spacings apart: the flow "
-                                        "between them is not resolved below 2",
-                                        last_.smallest_gap / s.spacing));
-        if (s.theory && !s.converged)
-            found.push_back("the run ended before it was found steady; the one-dimensional model "
-                            "is steady");
-        if (step_factor_ < 1)
-            found.push_back("the run broke down and went on with " + percent_text(step_factor_) +
-                            " of the automatic time step");
-        return found;
     }
 
     using Clock = std::chrono::steady_clock;
@@ -290,9 +272,7 @@ private:
 
 bool has_theory(const Case& c)
 {
-    const Real external = c.drive.pressure_external;
-    const bool inflated = c.drive.pressure_inlet >= external && c.drive.pressure_outlet >= external;
-    return c.tube.rigid || (inflated && c.fluid.reynolds <= largest_theory_reynolds);
+    return c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds);
 }
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)

@@ -282,6 +282,9 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
     WallSnapshot a = wall_motion(s, elastic_force);
     const Index vertices = x.size(), elements = tube_->mesh.element_count();
     a.at_vertex.push_back(
+        make_array("support_force", Quantity::force, 3, vertices,
+                   [&](Index v, int c) { return component_of(s.wall.support[v], c); }));
+    a.at_vertex.push_back(
         make_array("transmural_pressure", Quantity::pressure, 1, vertices, [&](Index v, int) {
             return transmural_pressure(s, static_cast<VertexIndex>(v));
         }));

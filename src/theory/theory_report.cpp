@@ -87,7 +87,7 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     add_line(text, "largest slope |dR/dx|", r.max_slope);
     add_line(text, "pressure at the inlet clamp", r.P_clamp_inlet * p, pressure);
     add_line(text, "pressure at the outlet clamp", r.P_clamp_outlet * p, pressure);
-    add_line(text, "speed of small waves (Moens-Korteweg)",
+    add_line(text, "Moens-Korteweg wave speed with E/(1 - nu^2)",
              r.wave_speed * scaling.factor(Quantity::velocity), scaling.unit(Quantity::velocity));
     text += "Q/Q_0 of the laws, from the largest radius to the outlet clamp\n";
     add_line(text, "law of Laplace, Eq. (55)", r.law_Q_over_Q0[0]);

@@ -6,7 +6,7 @@ namespace starling {
 
 void Contact::add(const Array<Vec3>& x, const Geometry& geometry, Array<Vec3>& f) const
 {
-    const auto [pressure, range] = parameters_;
+    const Real pressure = parameters_.pressure, range = parameters_.range;
     if (pressure == 0) return;
     const VertexIndex n = tube_->ring_size;
     const Vec3 *position = x.data(), *area = geometry.vertex_area().data();

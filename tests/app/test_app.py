@@ -121,8 +121,11 @@ def test_check_and_theory(directory):
     result = starling("check", CASE)
     expect_exit(result, 0)
     for words in ("Re ", "eps", "cells", "vertices", "memory", "wave speed", "membrane stiffness",
-                  "binds", "steps"):
+                  "binds", "steps", "E/(1 - nu^2)"):
         expect(words in result.stdout, "check does not say", words, "\n", result.stdout)
+    expect("Warning" not in result.stdout, result.stdout)
+    early = starling("check", CASE, "--set", "stop.steps=50").stdout
+    expect("Warning: the run ends before" in early, early)
     result = starling("theory", CASE)
     expect_exit(result, 0)
     expect("Q/Q_0" in result.stdout, result.stdout)
@@ -276,11 +279,31 @@ def test_resume(directory):
     result = starling("resume", parts, "--set", "stop.steps=200", "--set", "wall.eps=0.01")
     expect_exit(result, 2)
     expect("wall.eps: was 0.02, is 0.01" in result.stderr, result.stderr)
-    expect_exit(starling("resume", parts), 2)  # ended: nothing to do
+    check_that_it_ended(parts, "stop.steps=166")
     expect_exit(starling("resume", directory), 2)  # no checkpoint
     expect_same_results(whole, parts)  # refusals change nothing
     for name in ("steady", "end time"):
         expect(name not in starling("resume", parts).stderr, name)
+
+
+def check_that_it_ended(directory, advice):
+    """To resume is refused, without saying that it goes on, with a key that does make it go on."""
+    result = starling("resume", directory)
+    expect_exit(result, 2)
+    expect(result.stdout == "" and f"--set {advice}" in result.stderr, result.stdout, result.stderr)
+
+
+def test_resume_ended(directory):
+    """After each kind of end the advice of resume is one that goes on."""
+    for name, ends, advice in (
+            ("steady", ["stop.steady_tolerance=0.1"], "stop.steady_tolerance=0.01"),
+            ("end time", ["stop.end_time=0.1"], "stop.end_time=0.2")):
+        out = directory / name
+        settings = [word for end in [*ends, "stop.steps="] for word in ("--set", end)]
+        expect_exit(starling("run", *COARSE, *settings, "--out", out), 0)
+        expect(summary_of(out)["reason"] == name, summary_of(out)["reason"])
+        check_that_it_ended(out, advice)
+        expect_exit(starling("resume", out, "--set", advice), 0)
 
 
 COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacing=0.25", "--set",
@@ -624,6 +647,27 @@ def check_axes_of_plots(out):
     expect("Hookean wall" in plot.laplace_label("skalak"), plot.laplace_label("skalak"))
 
 
+def check_shapes_of_plots(out):
+    """History shows how a tube collapses; flow covers what lies just outside the wall."""
+    plot, np = importlib.import_module("plot_run"), importlib.import_module("numpy")
+    for narrowest, widest, expected in ((0.99, 1.3, ["radius"]), (0.6, 1, ["narrowest", "waves"]),
+                                        (0.6, 1.1, ["radius", "narrowest", "waves"])):
+        series = {"min_area_ratio": np.array([1, narrowest]), "R_max": np.array([1, widest])}
+        names = [draw.__name__ for draw in plot.shape_panels(out, series)]
+        expect(names == expected, narrowest, widest, names)
+    x, theta = (a.ravel() for a in np.meshgrid([0, 1, 2], np.arange(40) * np.pi / 20))
+    rest = np.stack([x, np.cos(theta), np.sin(theta)], axis=1)
+    away = rest * [0, 1, 1] * (0.1 * x * np.cos(3 * theta))[:, None]
+    waves = plot.largest_waves({"points": rest + away, "displacement": away}, range(2, 6))
+    expect(np.allclose(waves, [0, 0.2, 0, 0], atol=1e-12), waves)
+    wall = [np.array([[0, y], [4, y]]) for y in (-1.0, 1.0)]
+    inside = plot.inside_wall(np.array([1, 3.5]), np.array([-1.5, -0.5, 0.9, 1.1]), wall)
+    expect(inside.tolist() == [[False] * 2, [True] * 2, [True] * 2, [False] * 2], inside)
+    point = np.zeros((7, 9), dtype=bool)
+    point[3, 4] = True
+    expect(plot.widened(point, 2).sum() == 13, plot.widened(point, 2))
+
+
 def have_plot_packages():
     return subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
                           capture_output=True, check=False).returncode == 0
@@ -657,6 +701,7 @@ def test_plot(directory):
     expect_exit(result, 0)
     expect(result.stderr == "", result.stderr)
     check_axes_of_plots(out)
+    check_shapes_of_plots(out)
     for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
         expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
     (out / "profile.csv").unlink()  # as after a kill

@@ -5,11 +5,8 @@
 #include <functional>
 #include <random>
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "example_checkpoint.hpp"
-#include "output/crc64.hpp"
 #include "output/field_file.hpp"
 #include "output/frame_file.hpp"
 #include "synthetic.hpp"
@@ -39,8 +36,7 @@ void read_checkpoint(const fs::path& path)
 const Kind kinds[] = {
     {"checkpoint",
      [](const fs::path& directory) { return test::ExampleCheckpoint().write(directory); },
-     read_checkpoint,
-     {"checkpoint", 1, "docs/checkpoints.md"}},
+     read_checkpoint, checkpoint_seal},
     {"wall",
      [](const fs::path& directory) {
          WallFile({directory, Scaling{}}).write(synthetic::wall(0.5, 3));
@@ -205,13 +201,7 @@ void put_array(hid_t file, const std::string& path, Wrong wrong)
 void seal(const fs::path& path, const Seal& seal)
 {
     const std::string body = read_text(path).substr(seal_size);
-    Crc64 crc;
-    crc.add(body);
-    std::string header = fmt::format("Starling {}\nformat_version {}\nbytes {}\ncrc64 {:016x}\n"
-                                     "An HDF5 file follows these 512 bytes: {}\n",
-                                     seal.kind, seal.version, body.size(), crc.value(), seal.page);
-    header.resize(seal_size, '\0');
-    write_text(path, header + body);
+    write_text(path, seal_of(body, seal) + body);
 }
 
 TEST_P(Damage, WholeFileWithAnythingElseInItIsReadOrRefused)
@@ -238,6 +228,7 @@ TEST_P(Damage, WholeFileWithAnythingElseInItIsReadOrRefused)
             refusals += refused();
         }
     EXPECT_GT(refusals, tried / 2);
+    EXPECT_LT(refusals, tried); // some are read: the seal is not what all of them fail at
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::ValuesIn(kinds),

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/read_case.hpp"
+#include "config/shipped_cases.hpp"
 #include "core/error.hpp"
 #include "output/summary.hpp"
 #include "simulation/estimate.hpp"
@@ -72,6 +74,83 @@ TEST(Estimate, BendingLimitsTheStepOfAStiffWallOnAFineGrid)
     EXPECT_EQ(estimate_run(c).binding.name, "bending stiffness");
     c.material.bending = 1e-6;
     EXPECT_NE(estimate_run(c).binding.name, "bending stiffness");
+}
+
+/// Whether one of the warnings holds the words.
+bool warns(const Case& c, const std::string& words)
+{
+    return std::ranges::any_of(estimate_run(c).warnings, [&](const std::string& w) {
+        return w.find(words) != std::string::npos;
+    });
+}
+
+TEST(Forewarning, NothingIsWrongWithTheShippedInflations)
+{
+    for (const char* name : {"inflation", "inflation_neo_hookean", "rigid_tube", "microchannel_si"})
+        EXPECT_TRUE(estimate_run(read_case_text(shipped_case(name).text, name)).warnings.empty())
+            << name;
+}
+
+TEST(Forewarning, OfAFlowFasterThanTheWaves)
+{
+    Case c;
+    c.fluid.reynolds = 20; // waves at 2.24 U_c
+    c.drive.pressure_inlet = c.baseline_pressure_drop();
+    EXPECT_FALSE(warns(c, "faster than the waves")); // 1.55 U_c
+    c.drive.pressure_inlet *= 1.3;
+    EXPECT_TRUE(warns(c, "faster than the waves of the wall: about 2.7 U_c on the axis"));
+    c.tube.rigid = true;
+    EXPECT_TRUE(estimate_run(c).warnings.empty());
+}
+
+TEST(Forewarning, OfPressuresWithoutASteadyTube)
+{
+    Case c; // in which beyond a ratio of about 1.15 the flow runs away
+    c.fluid.reynolds = 50;
+    c.drive.pressure_inlet = 0.5 * c.baseline_pressure_drop();
+    EXPECT_FALSE(warns(c, "no steady tube"));
+    c.drive.pressure_inlet *= 2.5;
+    EXPECT_TRUE(warns(c, "no steady tube"));
+    EXPECT_TRUE(warns(c, "a smaller pressure drop or a stiffer wall"));
+}
+
+TEST(Forewarning, OfABoxTooNarrowNamesAWidthThatDoes)
+{
+    Case c = inflation(); // to R_max = 1.3025
+    c.grid.width_y = 3;
+    EXPECT_TRUE(warns(c, "Set grid.width_y to at least 3.3 R_0"));
+    EXPECT_FALSE(warns(c, "grid.width_z"));
+    c.grid.width_y = 3.3;
+    EXPECT_TRUE(estimate_run(c).warnings.empty());
+    c.grid.tube_offset_y = -0.3;
+    EXPECT_TRUE(warns(c, "Set grid.width_y to at least 3.9 R_0"));
+}
+
+TEST(Forewarning, OfAnEndBeforeTheSteadyState)
+{
+    Case c = inflation();
+    const Real steady = expected_time_to_steady(c, 1e-4), dt = estimate_run(c).dt;
+    c.stop.end_time = 1.01 * steady;
+    c.stop.steps = static_cast<Index>(1.01 * steady / dt) + 1;
+    EXPECT_TRUE(estimate_run(c).warnings.empty());
+    c.stop.end_time = 0.9 * steady;
+    EXPECT_TRUE(warns(c, "raise stop.end_time"));
+    c.stop.end_time.reset();
+    c.stop.steps = static_cast<Index>(0.9 * steady / dt);
+    EXPECT_TRUE(warns(c, "raise stop.steps to at least"));
+    c.stop.steady_tolerance.reset(); // a course in time is wanted, not its end
+    EXPECT_TRUE(estimate_run(c).warnings.empty());
+}
+
+TEST(Forewarning, OfSlowDrainingInCollapseWithoutPromisingAShortRun)
+{
+    Case c = read_case_text(shipped_case("collapse_mode3").text, "case");
+    EXPECT_TRUE(warns(c, "drains through its narrowest place"));
+    EXPECT_TRUE(estimate_run(c).at_least);
+    c.stop.end_time = 0.1; // the end is known
+    EXPECT_FALSE(estimate_run(c).at_least);
+    c.drive.pressure_external = c.drive.pressure_outlet;
+    EXPECT_FALSE(warns(c, "drains"));
 }
 
 TEST(Memory, ThatIsNotThereIsRefused)
