@@ -4,4 +4,4 @@ set(web_sources
   src/page.html src/style.css src/main.js
   src/data.js src/dom.js src/units.js src/colours.js
   src/facts.js src/charts.js src/chart_list.js
-  src/viewer.js src/scene.js src/wall.js src/flow.js src/section.js src/player.js)
+  src/viewer.js src/scene.js src/wall.js src/flow.js src/lumen.js src/section.js src/player.js)

@@ -13,17 +13,22 @@ std::string with_unit(Real value, Quantity quantity, const Scaling& s)
     return fmt::format("{:.4g} {}", value * s.factor(quantity), s.unit(quantity));
 }
 
+std::string law_in_words(const MaterialParameters& m)
+{
+    const auto name = law_name(m.law);
+    return (m.law == ElasticLaw::hooke ? fmt::format("{}'s law", name)
+                                       : fmt::format("the {} law", name)) +
+           (m.bending > 0 ? " and resists bending" : " and does not resist bending");
+}
+
 std::string wall_in_words(const Case& c)
 {
     const auto length = [&](Real l) { return with_unit(l, Quantity::length, c.scaling); };
     if (c.tube.rigid) return fmt::format("A rigid tube of length {}", length(c.tube.length));
-    return fmt::format("A tube of length {} with a wall of {}{} material ({}), held in rigid parts "
-                       "of {} at the inlet and {} at the outlet",
-                       length(c.tube.length), law_name(c.material.law),
-                       c.material.law == ElasticLaw::hooke ? "'s" : "",
-                       c.material.bending > 0 ? "which resists bending"
-                                              : "without bending stiffness",
-                       length(c.tube.rigid_inlet), length(c.tube.rigid_outlet));
+    return fmt::format("A tube of length {}, rigid over {} at the inlet and {} at the outlet. "
+                       "Its wall follows {}",
+                       length(c.tube.length), length(c.tube.rigid_inlet),
+                       length(c.tube.rigid_outlet), law_in_words(c.material));
 }
 
 std::string drive_in_words(const Case& c)

@@ -9,7 +9,8 @@ namespace starling::report {
 
 namespace {
 
-constexpr Real round_enough = 0.995; ///< area ratios above it are no collapse
+constexpr Real round_enough = 0.995;      ///< area ratios above it are no collapse
+constexpr Real least_displacement = 1e-6; ///< in R_0: less is round-off
 
 /// The key numbers of a run, by the names of summary.json.
 class Numbers {
@@ -82,15 +83,21 @@ void add_flow(Rows& rows, const Numbers& n)
     rows.add("Flow through the wall (leak) over Q", 100 * n.value("leak_over_Q"), "%");
 }
 
+void add_displacement(Rows& rows, const Numbers& n, Real R_0)
+{
+    const Real displacement = n.value("R_max") - R_0;
+    if (!(std::abs(displacement) > least_displacement * R_0)) return;
+    rows.add("Largest mean displacement, R_max\u00a0\u2212\u00a0R\u2080", displacement,
+             n.unit("R_max"));
+    rows.beside(n.theory("R_max_1d") - R_0, n.theory("displacement_relative_difference"));
+}
+
 void add_radius(Rows& rows, const Numbers& n, const Case& c)
 {
-    const Real R_0 = c.scaling.factor(Quantity::length);
     rows.add("Largest ring-averaged radius, R_max", "R_max");
     rows.beside(n.theory("R_max_1d"), n.theory("R_max_relative_difference"));
     if (c.tube.rigid) return;
-    rows.add("Largest mean displacement, R_max \u2212 R\u2080", n.value("R_max") - R_0,
-             n.unit("R_max"));
-    rows.beside(n.theory("R_max_1d") - R_0, n.theory("displacement_relative_difference"));
+    add_displacement(rows, n, c.scaling.factor(Quantity::length));
     rows.add("Largest strain of the wall", 100 * n.value("max_strain"), "%");
 }
 

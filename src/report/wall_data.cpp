@@ -18,8 +18,8 @@ struct Field {
     const char* label; ///< for people
 };
 constexpr Field fields[] = {{"displacement", "displacement"},
-                            {"tau1", "tension (larger principal one)"},
-                            {"transmural_pressure", "pressure, internal \u2212 external"},
+                            {"tau1", "tension \u03c4\u2081 (largest)"},
+                            {"transmural_pressure", "internal \u2212 external pressure"},
                             {"wall_shear_stress", "wall shear stress"}};
 
 /// One number per vertex: lengths of vectors, means of what belongs to elements.

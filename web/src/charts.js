@@ -17,11 +17,17 @@ function axis(label, shown, extra) {
   };
 }
 
+/// The number at the cursor, or the last one while there is none.
+const readOut = ({ factor }) => (plot, value, column, row) => {
+  const shown = row === null ? plot.data[column].at(-1) : value;
+  return numberText(shown === null ? NaN : shown / factor);
+};
+
 function line({ label, dashed }, n, shown) {
   return {
     label, stroke: dashed ? "#6b6f78" : COLOURS[n % COLOURS.length], width: dashed ? 1.5 : 2,
     dash: dashed ? [6, 4] : undefined, points: { show: false }, spanGaps: false,
-    value: (_, v) => numberText(v === null ? NaN : v / shown.factor),
+    value: readOut(shown),
   };
 }
 
@@ -44,7 +50,7 @@ export function drawChart(parent, chart) {
     width: place.clientWidth || 480, height: HEIGHT,
     scales: { x: { time: false }, y: { range: limits } },
     cursor: { drag: { x: true, y: true, uni: 30 } },
-    series: [{ label: chart.x.label, value: (_, v) => numberText(v === null ? NaN : v / x.factor) },
+    series: [{ label: chart.x.label, value: readOut(x) },
       ...chart.lines.map((l, n) => line(l, n, y))],
     axes: [axis(chart.x.label, x, { labelSize: 22 }), axis(chart.y ?? "", y, { size: 74, labelSize: 22 })],
   };

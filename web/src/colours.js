@@ -1,7 +1,9 @@
-/// Colours of numbers: a sequential scale, and one about zero for numbers of both signs.
+/// Colours of numbers: two sequential scales, and one about zero for numbers of both signs.
 
 const SEQUENTIAL = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779",
   "#6ece58", "#b5de2b", "#fde725"];
+const WARM = ["#0d0887", "#46039f", "#7201a8", "#9c179e", "#bd3786", "#d8576b", "#ed7953", "#fb9f3a",
+  "#fdca26", "#f0f921"];
 const DIVERGING = ["#1f4e9c", "#4f86c6", "#9cc3e4", "#e3edf5", "#f4f2ef", "#f7e0d4", "#eda98a",
   "#d4604a", "#a51f2d"];
 
@@ -16,14 +18,15 @@ function table(stops, size = 256) {
   });
 }
 
-const tables = { sequential: table(SEQUENTIAL), diverging: table(DIVERGING) };
+const tables = { sequential: table(SEQUENTIAL), warm: table(WARM), diverging: table(DIVERGING) };
 
-/// The scale of a field: its limits are the field's, made even about zero where it changes sign.
-export function colourScale({ low, high }) {
-  const signs = low < 0 && high > 0 && Math.min(-low, high) > 0.02 * Math.max(-low, high);
+/// The scale of a field: its limits are the field's, made even about zero where it changes sign
+/// (diverging); else "sequential" or "warm".
+export function colourScale({ low, high }, kind = "sequential") {
+  const signs = low < 0 && high > 0 && Math.min(-low, high) > 0.15 * Math.max(-low, high);
   const limit = Math.max(-low, high);
   const [from, to] = signs ? [-limit, limit] : [low, high];
-  const colours = tables[signs ? "diverging" : "sequential"];
+  const colours = tables[signs ? "diverging" : kind];
   const width = to - from || 1;
   /// [red, green, blue] from 0 to 255.
   const colour = (value) => {

@@ -1,6 +1,6 @@
 /// The case and its results in words and numbers.
 import { byId, element } from "./dom.js";
-import { numberText, quantityText } from "./units.js";
+import { numberText, pretty, quantityText } from "./units.js";
 
 /// How the run stands: [class of the badge, words].
 function state(run) {
@@ -61,7 +61,7 @@ function resultRow({ label, value, unit, theory, difference }) {
   const number = (v) => element("td", { class: "number" }, v === undefined ? "" : quantityText(v, unit));
   const percent = difference === undefined ? ""
     : `${difference >= 0 ? "+" : "−"}${numberText(Math.abs(100 * difference), 2)} %`;
-  return element("tr", {}, element("th", {}, label), number(value), number(theory),
+  return element("tr", {}, element("th", {}, pretty(label)), number(value), number(theory),
     element("td", { class: "number" }, percent));
 }
 
@@ -84,9 +84,9 @@ export function showCase(run) {
     return byId("case-text").remove();
   }
   const rows = run.case.rows.map(({ label, value, unit }) =>
-    element("tr", {}, element("th", {}, label),
+    element("tr", {}, element("th", {}, pretty(label)),
       element("td", { class: "number" }, quantityText(value, unit))));
-  byId("case").append(element("p", {}, run.case.words),
+  byId("case").append(element("p", {}, pretty(run.case.words)),
     element("table", {}, element("tbody", {}, ...rows)));
   byId("case-text").querySelector("pre").textContent = run.case.text;
 }

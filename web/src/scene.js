@@ -5,10 +5,11 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const FIELD_OF_VIEW = 28;
+const MARGIN = 0.96; // of half the picture, that the tube may fill
 
 /// Views by name: from where the camera looks, and what is up.
 export const VIEWS = {
-  overview: new Vector3(-0.42, 0.42, 1),
+  overview: new Vector3(-0.3, 0.36, 1),
   side: new Vector3(0, 0, 1),
   above: new Vector3(0, 1, 1e-3),
   end: new Vector3(-1, 0, 1e-3),
@@ -38,28 +39,36 @@ export class View3D {
     this.world.add(object);
   }
 
-  /// Scales and centres everything that was added.
-  fit() {
-    const box = new Box3().setFromObject(this.world);
+  /// Scales and centres the view to `object`.
+  fit(object) {
+    const box = new Box3().setFromObject(object);
     const size = box.getSize(new Vector3());
     this.world.scale.setScalar(1 / size.x);
     this.world.position.copy(box.getCenter(new Vector3())).multiplyScalar(-1 / size.x);
-    this.size = size.divideScalar(size.x);
+    const half = size.divideScalar(2 * size.x);
+    this.corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) =>
+      new Vector3(x, y, z).multiply(half))));
     this.resize();
     this.look("overview");
   }
 
+  /// Looks from a direction, as near as the whole tube allows.
   look(name) {
     const from = VIEWS[name].clone().normalize();
-    const vertical = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
-    const width = name === "end" ? this.size.z : 1;
-    const height = name === "above" ? this.size.z : this.size.y;
-    const distance = Math.max(0.56 * width / (vertical * this.camera.aspect), 0.62 * height / vertical);
-    const depth = (name === "end" ? 1 : height) / 2;
-    this.camera.position.copy(from.multiplyScalar(distance + (name === "overview" ? 0.1 : depth)));
+    for (let distance = 0.2; distance < 50; distance *= 1.04) {
+      this.camera.position.copy(from).multiplyScalar(distance);
+      this.camera.lookAt(0, 0, 0);
+      this.camera.updateMatrixWorld();
+      if (this.corners.every((corner) => this.sees(corner))) break;
+    }
     this.controls.target.set(0, 0, 0);
     this.controls.update();
     this.draw();
+  }
+
+  sees(corner) {
+    const { x, y, z } = corner.clone().project(this.camera);
+    return Math.abs(x) < MARGIN && Math.abs(y) < MARGIN && Math.abs(z) < 1;
   }
 
   resize() {

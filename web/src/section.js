@@ -1,4 +1,5 @@
-/// The outline of one cross-section, at the time that is shown and in the first frame.
+/// The outline of one cross-section, seen from the inlet, at the time that is shown and in the first
+/// frame; at first the section at `x`.
 import { element } from "./dom.js";
 import { quantityText } from "./units.js";
 
@@ -12,7 +13,7 @@ function shape(name, attributes) {
 }
 
 export class Section {
-  constructor(place, wall, changed) {
+  constructor(place, wall, x, changed) {
     this.wall = wall;
     this.changed = changed;
     this.first = wall.rings.map((_, n) => wall.section(n));
@@ -23,16 +24,19 @@ export class Section {
     const picture = shape("svg", { viewBox: `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`, role: "img" });
     picture.append(this.before, this.now);
     this.slider = element("input", { id: "section-x", type: "range", min: 0, max: wall.rings.length - 1,
-      value: this.middle(), input: () => this.choose() });
+      value: this.nearest(x), input: () => this.choose() });
     this.words = element("output", {});
     place.append(element("h3", {}, "Cross-section"), picture, this.slider, this.words,
-      element("p", { class: "remark" }, "Blue: now; grey: in the first frame. y to the right, z up."));
+      element("p", { class: "remark" }, "Blue: now; grey: in the first frame. y up, z to the right."));
     this.choose();
   }
 
-  /// The ring that deviates most from its first shape at the end, or the one half way.
-  middle() {
-    return Math.floor(this.wall.rings.length / 2);
+  /// Number of the ring nearest to x; half way where x is not known.
+  nearest(x) {
+    const { rings } = this.wall;
+    if (!Number.isFinite(x)) return Math.floor(rings.length / 2);
+    const apart = rings.map((ring) => Math.abs(ring.x - x));
+    return apart.indexOf(Math.min(...apart));
   }
 
   choose() {
@@ -44,7 +48,7 @@ export class Section {
   draw() {
     const ring = Number(this.slider.value);
     const path = (points) =>
-      "M" + points.map(([y, z]) => `${(y * this.factor).toFixed(2)},${(-z * this.factor).toFixed(2)}`).join("L") + "Z";
+      "M" + points.map(([y, z]) => `${(z * this.factor).toFixed(2)},${(-y * this.factor).toFixed(2)}`).join("L") + "Z";
     this.before.setAttribute("d", path(this.first[ring]));
     this.now.setAttribute("d", path(this.wall.section(ring)));
     this.words.textContent = `x = ${quantityText(this.wall.rings[ring].x, this.wall.data.unit)}`;

@@ -13,14 +13,15 @@ const MULTIPLES = {
   J: [["J", 1], ["mJ", 1e-3], ["µJ", 1e-6], ["nJ", 1e-9], ["pJ", 1e-12]],
 };
 
-const pretty = (unit) =>
-  unit === "1" ? "" : unit.replace(/_0/g, "₀").replace(/\^2/g, "²").replace(/\^3/g, "³")
+/// Units in a text as they are printed: R_0^2 as R₀².
+export const pretty = (text) =>
+  text.replace(/_0/g, "₀").replace(/\^2/g, "²").replace(/\^3/g, "³")
     .replace(/rho/g, "ρ");
 
 /// The unit in which numbers up to `largest` are shown: {unit, factor}, value/factor is shown.
 export function shownIn(unit, largest) {
   const multiples = MULTIPLES[unit];
-  if (!multiples) return { unit: pretty(unit), factor: 1 };
+  if (!multiples) return { unit: unit === "1" ? "" : pretty(unit), factor: 1 };
   const size = Math.abs(largest) || 1;
   const [name, factor] =
     multiples.find(([, f]) => size >= 0.9999 * f) ?? multiples[multiples.length - 1];
@@ -39,6 +40,10 @@ export function largestOf(...arrays) {
 export function numberText(value, digits = 5) {
   if (value === null || value === undefined || !Number.isFinite(value)) return "–";
   if (value === 0) return "0";
+  return magnitudeText(value, digits).replace("-", "−");
+}
+
+function magnitudeText(value, digits) {
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
@@ -46,8 +51,8 @@ export function numberText(value, digits = 5) {
   return `${Number(mantissa)}·10${raised}`;
 }
 
-/// A number with its unit.
+/// A number with its unit; shares in per cent to three digits.
 export function quantityText(value, unit) {
   const shown = shownIn(unit, value);
-  return `${numberText(value / shown.factor)}${shown.unit ? " " + shown.unit : ""}`;
+  return `${numberText(value / shown.factor, unit === "%" ? 3 : 5)}${shown.unit ? " " + shown.unit : ""}`;
 }

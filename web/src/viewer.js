@@ -38,13 +38,15 @@ class Viewer {
     this.canvas = element("div", { class: "canvas" });
     this.side = element("div", { class: "side" });
     this.bars = element("div", { class: "bars" });
-    place.append(element("div", { class: "stage" }, this.canvas, this.side), this.bars);
+    place.append(element("div", { class: "stage" }, this.canvas, this.side), this.bars,
+      element("p", { class: "remark" }, "Drag to turn, wheel to zoom, right button to move. Fluid flows " +
+        "along x, from left to right; y is up. The flow is shown in the plane through the axis, inside the tube."));
     this.view = new View3D(this.canvas);
     this.tools = element("div", { class: "tools" });
     this.addWall();
     this.addFlow();
     this.addBreakdown();
-    this.view.fit();
+    this.view.fit((this.wall ?? this.flow).object);
     this.addTools(place);
     this.go(this.frames.length - 1);
   }
@@ -58,8 +60,14 @@ class Viewer {
     this.wall = new Wall(this.run.wall);
     this.view.add(this.wall.object);
     this.view.add(this.wall.outline);
-    this.section = new Section(this.side, this.wall, () => this.view.draw());
+    this.section = new Section(this.side, this.wall, this.extreme(), () => this.view.draw());
     this.addColours("wall", this.wall);
+  }
+
+  /// Where the tube is narrowest, or widest if it has not collapsed.
+  extreme() {
+    const { summary } = this.run;
+    return summary?.min_area_ratio < 0.99 ? summary.x_min_area : summary?.x_R_max;
   }
 
   addFlow() {
@@ -95,7 +103,7 @@ class Viewer {
     const views = Object.keys(VIEWS).map((name) =>
       element("button", { type: "button", click: () => this.view.look(name) }, name));
     if (this.wall) this.addWallTools();
-    this.tools.append(element("span", { class: "views" }, ...views));
+    this.canvas.append(element("div", { class: "views" }, ...views));
     this.player = new Player(this.frames, (n) => this.show(n));
     place.prepend(this.player.controls);
     place.prepend(this.tools);
@@ -125,7 +133,7 @@ class Viewer {
   show(n) {
     const { t, step } = this.frames[n];
     this.wall?.show(n);
-    const flow = this.flow ? this.flow.show(t) : -1;
+    const flow = this.flow ? this.flow.show(t, this.wall) : -1;
     this.section?.draw();
     this.view.draw();
     const unit = this.run.unit_of_t;
