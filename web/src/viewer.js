@@ -32,6 +32,10 @@ class ColourBar {
   }
 }
 
+/// How much of the wall is taken away to show the flow.
+const CUTS = [{ part: "quarter", label: "a quarter cut away" }, { part: "half", label: "half cut away" },
+  { part: "whole", label: "whole" }];
+
 class Viewer {
   constructor(run, place) {
     this.run = run;
@@ -111,17 +115,17 @@ class Viewer {
   }
 
   addWallTools() {
-    const cut = element("input", { id: "cut", type: "checkbox", checked: Boolean(this.flow),
-      change: (e) => this.cut(e.target.checked) });
+    const cut = choice("cut", CUTS, (n) => this.cut(CUTS[n].part));
+    cut.value = this.flow ? 0 : CUTS.length - 1;
     const opacity = element("input", { id: "opacity", type: "range", min: 0.1, max: 1, step: 0.05, value: 1,
       input: (e) => { this.wall.opacity(Number(e.target.value)); this.view.draw(); } });
-    this.tools.append(labelled("Cut the wall open", cut), labelled("Opacity", opacity));
-    this.cut(Boolean(this.flow));
+    this.tools.append(labelled("Wall", cut), labelled("Opacity", opacity));
+    this.cut(CUTS[cut.value].part);
   }
 
-  cut(on) {
+  cut(part) {
     this.wall.object.updateWorldMatrix(true, false);
-    this.wall.cut(this.run.flow?.normal ?? "z", on);
+    this.wall.cut(this.run.flow?.normal ?? "z", part);
     this.view.draw();
   }
 

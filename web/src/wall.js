@@ -79,10 +79,15 @@ export class Wall {
     this.outline.geometry.setAttribute("position", new BufferAttribute(line, 3));
   }
 
-  /// Hides the half of the wall that stands in front of the plane of the flow.
-  cut(plane, on) {
-    const normal = plane === "y" ? new Vector3(0, -1, 0) : new Vector3(0, 0, -1);
-    this.material.clippingPlanes = on ? [new Plane(normal, 0).applyMatrix4(this.object.matrixWorld)] : [];
+  /// Hides nothing ("whole"), the half of the wall in front of the plane of the flow ("half"), or of
+  /// that half what lies beyond the other plane through the axis ("quarter").
+  cut(plane, part) {
+    const [y, z] = [new Vector3(0, -1, 0), new Vector3(0, 0, -1)];
+    const [front, other] = plane === "y" ? [y, z] : [z, y];
+    const normals = { whole: [], half: [front], quarter: [front, other] }[part];
+    this.material.clippingPlanes = normals.map((n) => new Plane(n, 0).applyMatrix4(this.object.matrixWorld));
+    this.material.clipIntersection = true; // hidden is what lies beyond all of the planes
+    this.material.needsUpdate = true;
   }
 
   opacity(value) {
