@@ -5,6 +5,7 @@ import { largestOf, numberText, shownIn } from "./units.js";
 
 const COLOURS = ["#1f5fa8", "#c8452c", "#2c8a5b", "#8452a8", "#b8860b", "#3a9aa8", "#6b6f78"];
 const HEIGHT = 250;
+const FEW = 3; // points
 
 const points = (values) => Array.from(values, (v) => (Number.isFinite(v) ? v : null));
 
@@ -23,10 +24,11 @@ const readOut = ({ factor }) => (plot, value, column, row) => {
   return numberText(shown === null ? NaN : shown / factor);
 };
 
-function line({ label, dashed }, n, shown) {
+function line({ label, dashed, values }, n, shown) {
+  const few = values.length < FEW; // which lines alone would not show
   return {
     label, stroke: dashed ? "#6b6f78" : COLOURS[n % COLOURS.length], width: dashed ? 1.5 : 2,
-    dash: dashed ? [6, 4] : undefined, points: { show: false }, spanGaps: false,
+    dash: dashed ? [6, 4] : undefined, points: { show: few }, spanGaps: false,
     value: readOut(shown),
   };
 }
