@@ -58,7 +58,8 @@ export function showNotes(run) {
 }
 
 function resultRow({ label, value, unit, theory, difference }) {
-  const number = (v) => element("td", { class: "number" }, v === undefined ? "" : quantityText(v, unit));
+  const larger = Math.max(Math.abs(value), Math.abs(theory ?? 0)); // both in the same multiple of the unit
+  const number = (v) => element("td", { class: "number" }, v === undefined ? "" : quantityText(v, unit, larger));
   const percent = difference === undefined ? ""
     : `${difference >= 0 ? "+" : "−"}${numberText(Math.abs(100 * difference), 2)} %`;
   return element("tr", {}, element("th", {}, pretty(label)), number(value), number(theory),

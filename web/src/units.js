@@ -51,8 +51,8 @@ function magnitudeText(value, digits) {
   return `${Number(mantissa)}·10${raised}`;
 }
 
-/// A number with its unit; shares in per cent to three digits.
-export function quantityText(value, unit) {
-  const shown = shownIn(unit, value);
+/// A number with its unit, in the multiple that suits `largest`; shares in per cent to three digits.
+export function quantityText(value, unit, largest = value) {
+  const shown = shownIn(unit, largest);
   return `${numberText(value / shown.factor, unit === "%" ? 3 : 5)}${shown.unit ? " " + shown.unit : ""}`;
 }
