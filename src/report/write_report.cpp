@@ -23,9 +23,7 @@ class Page {
 public:
     explicit Page(const fs::path& directory) : directory_(directory), run_(inspect_run(directory))
     {
-        for (const Finding& f : run_.findings)
-            notes_.push_back(fmt::format("{} is left out: {}.",
-                                         f.path.lexically_relative(directory).string(), f.problem));
+        for (const Finding& f : run_.findings) notes_.push_back(words_of(f));
     }
 
     Json data()
@@ -45,6 +43,15 @@ public:
     const Notes& notes() const { return notes_; }
 
 private:
+    /// Of tables the rows before the damage are shown, of other files nothing.
+    std::string words_of(const Finding& f) const
+    {
+        const std::string name = f.path.lexically_relative(directory_).string();
+        if (f.path.extension().string() == ".csv")
+            return fmt::format("{}: {}; the rows before it are shown.", name, f.problem);
+        return fmt::format("{} is left out: {}.", name, f.problem);
+    }
+
     template <class F>
     Json part(const std::string& what, F make)
     {
@@ -87,6 +94,10 @@ private:
     void add_case(Json& page)
     {
         const fs::path path = directory_ / "case.toml";
+        if (!fs::exists(path)) {
+            notes_.push_back("case.toml is missing: the case is not shown.");
+            return;
+        }
         page["case"] = part("the case", [&] {
             const Case c = read_case(path);
             page["results"] = result_data(summary_, series_, c);
