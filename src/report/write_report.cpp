@@ -23,7 +23,8 @@ class Page {
 public:
     explicit Page(const fs::path& directory) : directory_(directory), run_(inspect_run(directory))
     {
-        for (const Finding& f : run_.findings) notes_.push_back(words_of(f));
+        for (const Finding& f : run_.findings)
+            if (f.path.filename() != case_file) notes_.push_back(words_of(f)); // add_case says more
     }
 
     Json data()
@@ -43,13 +44,17 @@ public:
     const Notes& notes() const { return notes_; }
 
 private:
-    /// Of tables the rows before the damage are shown, of other files nothing.
+    static constexpr const char* case_file = "case.toml";
+    static constexpr const char* summary_file = "summary.json";
+
+    /// Of tables the rows before the damage are shown; of indices and checkpoints nothing ever is.
     std::string words_of(const Finding& f) const
     {
         const std::string name = f.path.lexically_relative(directory_).string();
-        if (f.path.extension().string() == ".csv")
+        if (name.ends_with(".csv"))
             return fmt::format("{}: {}; the rows before it are shown.", name, f.problem);
-        return fmt::format("{} is left out: {}.", name, f.problem);
+        const bool shown = name.starts_with("frames/") || name == summary_file;
+        return fmt::format("{} {}{}.", name, shown ? "is left out: " : "", f.problem);
     }
 
     template <class F>
@@ -71,8 +76,7 @@ private:
 
     void add_state(Json& page)
     {
-        summary_ = Json::parse(read_text(directory_ / "summary.json"), nullptr, false);
-        if (!summary_.is_object()) summary_ = nullptr;
+        if (!run_.ended.empty()) summary_ = Json::parse(read_text(directory_ / summary_file));
         page["summary"] = summary_;
         page["running"] = run_.running;
         for (const auto* frames : {&run_.wall, &run_.fluid})
@@ -85,20 +89,19 @@ private:
         for (const char* name : {"series", "profile", "theory"}) {
             const std::string file = std::string(name) + ".csv";
             if (!fs::exists(directory_ / file)) continue;
-            const TableContents table = read_table(directory_ / file);
-            if (table.rows() > 0) page[name] = table_data(file, table, notes_);
-            if (file == "series.csv") series_ = table;
+            page[name] = part(file, [&]() -> Json {
+                const TableContents table = read_table(directory_ / file);
+                if (file == "series.csv") series_ = table;
+                return table.rows() > 0 ? table_data(file, table, notes_) : Json();
+            });
         }
     }
 
     void add_case(Json& page)
     {
-        const fs::path path = directory_ / "case.toml";
-        if (!fs::exists(path)) {
-            notes_.push_back("case.toml is missing: the case is not shown.");
-            return;
-        }
+        const fs::path path = directory_ / case_file;
         page["case"] = part("the case", [&] {
+            if (!fs::exists(path)) throw InputError("case.toml is missing");
             const Case c = read_case(path);
             page["results"] = result_data(summary_, series_, c);
             Json data = case_data(c);

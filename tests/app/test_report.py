@@ -226,14 +226,24 @@ def test_unfinished(directory):
     expect_exit(starling("run", *SHORT, *FRAMES, "--out", out), 0)
     (out / "summary.json").unlink()
     (out / "profile.csv").unlink()
+    (out / "theory.csv").write_text("")
+    series = (out / "series.csv").read_text()
+    (out / "series.csv").write_text(series[:-30])  # the last row is cut
     frame = out / "frames" / "wall_000001.h5"
     frame.write_bytes(frame.read_bytes()[:900])
     with browser.opened(report(out, "frames/wall_000001.h5 is left out")) as page:
         check_sound(page)
         expect("has not ended" in page.text("#state"), page.text("#state"))
         expect("wall_000001.h5 is left out" in page.text("#notes"), page.text("#notes"))
+        expect("theory.csv is not shown" in page.text("#notes"), page.text("#notes"))
+        expect("the rows before it are shown" in page.text("#notes"), page.text("#notes"))
+        drawn = page.run("return window.starling.plots.flow.data[0].length")
+        expect(drawn == len(series.splitlines()) - 2, drawn, "rows are drawn")
         expect("Flow rate half way" in page.text("#results"), page.text("#results"))
         expect(page.text("#along-tube") == "", "a profile from nowhere")
+    (out / "series.csv").write_text(series)
+    (out / "case.toml").unlink()
+    (out / "summary.json").write_text("{}")
     for file in (out / "frames").iterdir():
         file.unlink()
     for name in ("wall", "fluid"):
@@ -241,6 +251,8 @@ def test_unfinished(directory):
     with browser.opened(report(out)) as page:
         check_sound(page)
         expect("no frames" in page.text("#viewer"), page.text("#viewer"))
+        for text in ("case.toml is missing", "summary.json is left out"):
+            expect(text in page.text("#notes"), "no", text, "in", page.text("#notes"))
         check_plot(page, "flow", columns_of(out / "series.csv"), ["t", "Q_in"])
 
 
