@@ -93,6 +93,19 @@ void add_readers(CLI::App& app, CommandLine& line)
     exports->add_flag("--force", line.force, "Replace FILE");
 }
 
+/// What shows results.
+void add_pictures(CLI::App& app, CommandLine& line)
+{
+    CLI::App* report = app.add_subcommand(
+        "report", "Write the results of a run to one page for the browser, DIR/report.html");
+    CLI::App* plot = app.add_subcommand("plot", "Draw the results of a run as PNG pictures");
+    for (CLI::App* command : {report, plot})
+        command->add_option("directory", line.directory, "Directory that a run has written")
+            ->option_text("DIR")
+            ->required();
+    report->footer("The page is complete in itself: it opens offline and can be sent to others.");
+}
+
 void add_others(CLI::App& app, CommandLine& line)
 {
     CLI::App* check = app.add_subcommand(
@@ -109,10 +122,7 @@ void add_others(CLI::App& app, CommandLine& line)
     CLI::App* cases = app.add_subcommand("cases", "List the shipped cases, or print one");
     cases->add_option("name", line.name, "Case to print")->option_text("NAME");
     add_readers(app, line);
-    CLI::App* plot = app.add_subcommand("plot", "Draw the results of a run as PNG pictures");
-    plot->add_option("directory", line.directory, "Directory that a run has written")
-        ->option_text("DIR")
-        ->required();
+    add_pictures(app, line);
 }
 
 std::vector<std::string> subcommand_names(const CLI::App& app)

@@ -10,6 +10,7 @@
 #include "environment.hpp"
 #include "readers.hpp"
 #include "report.hpp"
+#include "report/write_report.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/resume.hpp"
 #include "simulation/run.hpp"
@@ -109,6 +110,13 @@ void plot_command(const CommandLine& line)
     run_python_tool("plot_run.py", {line.directory});
 }
 
+void report_command(const CommandLine& line)
+{
+    const auto [path, notes] = report::write_report(line.directory);
+    fmt::print("{}: open it in a browser\n", path.string());
+    for (const std::string& note : notes) fmt::print("  {}\n", note);
+}
+
 void info_command(const CommandLine& line)
 {
     const Info info = describe_path(line.directory);
@@ -142,6 +150,8 @@ void execute(const CommandLine& line)
         export_command(line);
     else if (line.command == "plot")
         plot_command(line);
+    else if (line.command == "report")
+        report_command(line);
 }
 
 } // namespace starling::app

@@ -122,7 +122,8 @@ std::string files_text(const Case& c, const std::filesystem::path& directory)
                 (c.output.fluid ? "fluid.xdmf" : "") + ": open with ParaView\n";
     }
     if (c.checkpoint.keep > 0) text += "  go on: starling resume " + directory.string() + "\n";
-    return text + "  pictures: starling plot " + directory.string() + "\n";
+    text += "  pictures: starling plot " + directory.string() + "\n";
+    return text + "  a page for the browser: starling report " + directory.string() + "\n";
 }
 
 void add_numbers(Table& table, const Case& c, const RunEstimate& e)

@@ -141,6 +141,26 @@ FluidFrame FrameFile::read_fluid() const
     return frame;
 }
 
+FrameArray at_vertices(const FrameArray& a, const WallFrame& frame)
+{
+    FrameArray mean{a.name, a.unit, frame.points.shape, a.components, {}};
+    const std::size_t vertices = frame.points.count();
+    const auto components = static_cast<std::size_t>(a.components);
+    mean.values.resize(vertices * components);
+    std::vector<int> around(vertices);
+    for (std::size_t e = 0; e < frame.triangles.size(); ++e)
+        for (const std::int32_t corner : frame.triangles[e]) {
+            const auto v = static_cast<std::size_t>(corner);
+            ++around[v];
+            for (std::size_t c = 0; c < components; ++c)
+                mean.values[v * components + c] += a.values[e * components + c];
+        }
+    for (std::size_t v = 0; v < vertices; ++v)
+        for (std::size_t c = 0; c < components; ++c)
+            mean.values[v * components + c] /= around[v]; // NaN where there is none
+    return mean;
+}
+
 std::vector<ListedFrame> list_frames(const fs::path& run_directory, const std::string& of)
 {
     std::vector<ListedFrame> found;

@@ -42,6 +42,9 @@ struct WallFrame {
     std::vector<FrameArray> at_vertex, at_element;
 };
 
+/// An array of the elements as means over those around each vertex; NaN where there is none.
+FrameArray at_vertices(const FrameArray& a, const WallFrame& frame);
+
 /// A fluid: a uniform grid and arrays in its cells, x fastest.
 struct FluidFrame {
     FrameHead head;

@@ -1,6 +1,6 @@
 starling_module(output
   SOURCES table.cpp series.cpp profile.cpp sections.cpp hdf5_file.cpp xdmf.cpp replace_file.cpp
-          field_file.cpp frame_file.cpp sealed_file.cpp export.cpp run_directory.cpp summary.cpp version.cpp crc64.cpp checkpoint.cpp
+          field_file.cpp frame_file.cpp sealed_file.cpp export.cpp read_table.cpp run_directory.cpp summary.cpp version.cpp crc64.cpp checkpoint.cpp
   DEPENDS starling_core starling_config starling_solver fmt::fmt nlohmann_json::nlohmann_json
           starling_hdf5)
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Everything that a run and `starling plot` write; each may leave a NAME.new after a kill.
+/// Everything that a run, `starling plot` and `starling report` write; each may leave a NAME.new after a kill.
 constexpr const char* result_files[] = {"case.toml",
                                         "summary.json",
                                         "series.csv",
@@ -33,6 +33,7 @@ constexpr const char* result_files[] = {"case.toml",
                                         "history.png",
                                         "flow.png",
                                         "breakdown.png",
+                                        "report.html",
                                         "breakdown_wall.h5",
                                         "breakdown_wall.xdmf",
                                         "breakdown_fluid.h5",

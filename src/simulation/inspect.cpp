@@ -1,8 +1,6 @@
 #include "simulation/inspect.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -12,6 +10,7 @@
 #include "core/error.hpp"
 #include "output/checkpoint.hpp"
 #include "output/field_file.hpp"
+#include "output/read_table.hpp"
 #include "output/run_directory.hpp"
 #include "output/series.hpp"
 
@@ -20,14 +19,6 @@ namespace starling {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string read_text(const fs::path& path)
-{
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
 
 /// The message of an error about a file, without the file's name in front.
 std::string reason_in(const std::exception& e, const fs::path& path)
@@ -38,23 +29,6 @@ std::string reason_in(const std::exception& e, const fs::path& path)
     return begin == std::string::npos ? text : text.substr(begin);
 }
 
-std::vector<std::string> split(const std::string& line)
-{
-    std::vector<std::string> cells;
-    std::istringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-    return cells;
-}
-
-std::optional<Real> number_in(const std::string& text)
-{
-    Real value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end) return std::nullopt;
-    return value;
-}
-
 /// Reads series.csv row by row; throws std::runtime_error at the first that is wrong.
 SeriesContents inspect_series(const fs::path& path)
 {
@@ -63,7 +37,7 @@ SeriesContents inspect_series(const fs::path& path)
     std::string line;
     SeriesContents found;
     if (!std::getline(text, line)) throw std::runtime_error("is empty");
-    const auto titles = split(line);
+    const auto titles = cells_of(line);
     bool known = titles.size() == columns.size();
     for (std::size_t n = 0; known && n < titles.size(); ++n)
         known = titles[n].starts_with(std::string(columns[n].name) + " [");
@@ -71,7 +45,7 @@ SeriesContents inspect_series(const fs::path& path)
     found.unit_of_t = titles[0].substr(3, titles[0].size() - 4);
     while (std::getline(text, line)) {
         const std::string row = fmt::format("row {}", found.rows + 1);
-        const auto cells = split(line);
+        const auto cells = cells_of(line);
         if (text.eof() || cells.size() != columns.size())
             throw std::runtime_error(row + " is cut off");
         for (const std::string& cell : cells)

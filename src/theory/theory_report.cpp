@@ -16,17 +16,6 @@ namespace {
 
 constexpr Index table_rows = 17;
 
-std::string_view name(ElasticLaw law)
-{
-    switch (law) {
-    case ElasticLaw::hooke: return "Hooke";
-    case ElasticLaw::neo_hookean: return "neo-Hookean";
-    case ElasticLaw::mooney_rivlin: return "Mooney-Rivlin";
-    case ElasticLaw::skalak: return "Skalak";
-    }
-    return "";
-}
-
 /// Transmural pressure over E'h.
 Real P_bar(const TheoryReport& r, Real x)
 {
@@ -64,7 +53,7 @@ std::string case_text(const TheoryReport& r)
         text += "  rigid tube\n";
     else {
         fmt::format_to(std::back_inserter(text), "  {:<44}{:>12}\n", "law of the wall",
-                       name(r.problem.material.law));
+                       law_name(r.problem.material.law));
         add_line(text, "eps", r.problem.material.eps);
     }
     add_line(text, "Delta P/Delta P_0", r.problem.pressure_ratio());
@@ -119,6 +108,17 @@ std::string profile_text(const TheoryReport& r, const Scaling& scaling)
 }
 
 } // namespace
+
+std::string_view law_name(ElasticLaw law)
+{
+    switch (law) {
+    case ElasticLaw::hooke: return "Hooke";
+    case ElasticLaw::neo_hookean: return "neo-Hookean";
+    case ElasticLaw::mooney_rivlin: return "Mooney-Rivlin";
+    case ElasticLaw::skalak: return "Skalak";
+    }
+    return "";
+}
 
 Real TheoryReport::law_radius(RadiusLaw law, Real x) const
 {

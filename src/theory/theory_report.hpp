@@ -2,6 +2,7 @@
 /// Everything the theories say of a case, as `starling theory CASE.toml` prints it.
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/scaling.hpp"
@@ -28,6 +29,9 @@ struct TheoryReport {
     /// R(P) of a law at the model's transmural pressure at x; NaN in the rigid ends.
     Real law_radius(RadiusLaw law, Real x) const;
 };
+
+/// The law's name for people.
+std::string_view law_name(ElasticLaw law);
 
 /// Solves the one-dimensional model and evaluates the laws at its pressures. Throws NumericalError
 /// as `solve_one_dimensional` does.

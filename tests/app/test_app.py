@@ -60,7 +60,7 @@ def wait_for(condition, seconds=60):
 
 def test_help(_):
     for command in ([], ["run"], ["resume"], ["check"], ["theory"], ["cases"], ["plot"],
-                    ["info"], ["export"]):
+                    ["info"], ["export"], ["report"]):
         result = starling(*command, "--help")
         expect_exit(result, 0)
         expect("Usage: starling" in result.stdout, command, result.stdout)
@@ -82,7 +82,8 @@ def test_usage(directory):
             (["run", CASE, "--out", out, "--threads", "0"], "--threads"),
             (["run", CASE, "--out", out, "--threads", "two"], "--threads"),
             (["run", CASE, CASE, "--out", out], "unexpected"), (["plot"], "directory"),
-            (["plot", directory], "no results"), (["cases", "inflaton"], '"inflation"')):
+            (["plot", directory], "no results"), (["report"], "directory"),
+            (["report", directory], "no results"), (["cases", "inflaton"], '"inflation"')):
         result = starling(*arguments)
         expect_exit(result, 2)
         expect(words in result.stderr, arguments, "should say", words, "but says", result.stderr)

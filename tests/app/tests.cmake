@@ -7,3 +7,11 @@ foreach(scenario help version usage bad_case cases check_and_theory run refusal 
             $<TARGET_FILE:starling> ${PROJECT_SOURCE_DIR} ${scenario})
   set_tests_properties(App.${scenario} PROPERTIES LABELS app TIMEOUT 300 SKIP_RETURN_CODE 77)
 endforeach()
+
+# The page of `starling report`, opened in headless Chromium; skipped where that is not installed.
+foreach(scenario page flow collapse si breakdown unfinished)
+  add_test(NAME Report.${scenario}
+    COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/test_report.py
+            $<TARGET_FILE:starling> ${PROJECT_SOURCE_DIR} ${scenario})
+  set_tests_properties(Report.${scenario} PROPERTIES LABELS app TIMEOUT 300 SKIP_RETURN_CODE 77)
+endforeach()
