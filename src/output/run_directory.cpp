@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Everything that a run, `starling plot` and `starling report` write; each may leave a NAME.new after a kill.
+/// Everything that a run, `starling plot` and `starling report` write; each may leave a NAME.new
+/// after a kill.
 constexpr const char* result_files[] = {"case.toml",
                                         "summary.json",
                                         "series.csv",
