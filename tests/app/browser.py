@@ -5,10 +5,10 @@ import tempfile
 
 CHROMIUM = pathlib.Path("/usr/bin/chromium")
 DRIVER = pathlib.Path("/usr/bin/chromedriver")
-FLAGS = ("--headless=new --no-sandbox --disable-gpu --disable-quic --no-first-run "
-         "--disable-background-networking --disable-component-update --disable-sync "
-         "--use-gl=angle --use-angle=swiftshader --enable-unsafe-swiftshader "
-         "--host-resolver-rules=MAP\\ *\\ ~NOTFOUND --window-size=1320,1500")
+FLAGS = ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync",
+         "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+         "--host-resolver-rules=MAP * ~NOTFOUND", "--window-size=1320,1500")
 
 
 def missing():
@@ -22,13 +22,12 @@ def missing():
     return ", ".join(lacking)
 
 
-def options(profile):
+def options(profile, flags):
     from selenium import webdriver
     chosen = webdriver.ChromeOptions()
     chosen.binary_location = str(CHROMIUM)
-    for flag in FLAGS.replace("\\ ", "\0").split():
-        chosen.add_argument(flag.replace("\0", " "))
-    chosen.add_argument(f"--user-data-dir={profile}")
+    for flag in (*FLAGS, *flags, f"--user-data-dir={profile}"):
+        chosen.add_argument(flag)
     chosen.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return chosen
 
@@ -48,7 +47,8 @@ class Page:
     def set(self, selector, value, event="input"):
         """Sets a slider or a choice as a user does."""
         self.run("const e = document.querySelector(arguments[0]); e.value = arguments[1];"
-                 "e.dispatchEvent(new Event(arguments[2], {bubbles: true}));", selector, value, event)
+                 "e.dispatchEvent(new Event(arguments[2], {bubbles: true}));",
+                 selector, value, event)
 
     def click(self, selector):
         self.run("document.querySelector(arguments[0]).click()", selector)
@@ -68,12 +68,12 @@ class Page:
 
 
 @contextlib.contextmanager
-def opened(path):
-    """The page of a file, in a browser of its own."""
+def opened(path, *flags):
+    """The page of a file, in a browser of its own, started with these flags too."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
     with tempfile.TemporaryDirectory() as profile:
-        driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options(profile))
+        driver = webdriver.Chrome(service=Service(str(DRIVER)), options=options(profile, flags))
         try:
             driver.get(pathlib.Path(path).resolve().as_uri())
             yield Page(driver)

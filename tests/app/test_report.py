@@ -166,7 +166,7 @@ def test_page(directory):
 
 
 def test_flow(directory):
-    """Flow of the last time only is not shown at others; slices normal to y are read as they are."""
+    """Flow of the last time alone is not shown at others; so in a slice normal to y."""
     out = directory / "out"
     expect_exit(starling("run", *SHORT, *FRAMES[:2], "--set", "output.fluid_region=plane_y",
                          "--out", out), 0)
@@ -176,7 +176,7 @@ def test_flow(directory):
         inside = page.run("const p = window.starling.viewer.flow.texture.image.data;"
                           "let n = 0; for (let i = 3; i < p.length; i += 4) n += p[i] > 0;"
                           "return 4 * n / p.length")
-        expect(0.3 < inside < 0.6, "the tube fills", inside, "of the plane") # 2 of 4.7 wide
+        expect(0.3 < inside < 0.6, "the tube fills", inside, "of the plane")  # 2 of 4.7 wide
         expect(page.run(visible) is True, "the last flow is not shown")
         page.set("#time", 0)
         expect(page.run(visible) is False, "flow at a time that has none")
@@ -221,7 +221,7 @@ def test_breakdown(directory):
 
 
 def test_unfinished(directory):
-    """After a kill, with damage, without frames: a page of what is there, which says what is not."""
+    """After a kill, damaged, without frames: a page of what is there, saying what is not."""
     out = directory / "out"
     expect_exit(starling("run", *SHORT, *FRAMES, "--out", out), 0)
     (out / "summary.json").unlink()
@@ -254,6 +254,17 @@ def test_unfinished(directory):
         for text in ("case.toml is missing", "summary.json is left out"):
             expect(text in page.text("#notes"), "no", text, "in", page.text("#notes"))
         check_plot(page, "flow", columns_of(out / "series.csv"), ["t", "Q_in"])
+
+
+def test_no_webgl(directory):
+    """A browser without WebGL shows all but the 3-D view, and says why."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--out", out), 0)
+    with browser.opened(report(out), "--disable-3d-apis") as page:
+        expect("no WebGL" in page.text("#viewer"), page.text("#viewer"))
+        expect(page.run("return !document.querySelector('.canvas')"), "an empty view is left")
+        check_plot(page, "flow", columns_of(out / "series.csv"), ["t", "Q_in"])
+        expect(page.requests() == [], page.requests())
 
 
 def main():

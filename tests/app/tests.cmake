@@ -9,7 +9,7 @@ foreach(scenario help version usage bad_case cases check_and_theory run refusal 
 endforeach()
 
 # The page of `starling report`, opened in headless Chromium; skipped where that is not installed.
-foreach(scenario page flow collapse si breakdown unfinished)
+foreach(scenario page flow collapse si breakdown unfinished no_webgl)
   add_test(NAME Report.${scenario}
     COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/test_report.py
             $<TARGET_FILE:starling> ${PROJECT_SOURCE_DIR} ${scenario})

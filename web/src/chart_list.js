@@ -9,14 +9,16 @@ const isCollapsed = (run) =>
 
 /// Columns of a table that hold numbers other than zero.
 function present(table, names) {
-  const has = ([name]) => table.columns.get(name)?.values.some((v) => Number.isFinite(v) && v !== 0);
+  const has = ([name]) =>
+    table.columns.get(name)?.values.some((v) => Number.isFinite(v) && v !== 0);
   return names.filter(has).map(([name, label]) => ({ ...table.columns.get(name), label }));
 }
 
 /// A constant beside the lines, such as what theory says.
 function constant(rows, value, unit, label) {
   return Number.isFinite(value) && rows > 0
-    ? [{ label, unit, values: new Float32Array(rows).fill(value), dashed: true }] : [];
+    ? [{ label, unit, values: new Float32Array(rows).fill(value), dashed: true }]
+    : [];
 }
 
 /// A column of the model at the x of the profile.
@@ -41,22 +43,67 @@ function chartsOverTime(run) {
   const theory = summary?.theory;
   const of = (...names) => present(series, names);
   const charts = [
-    { key: "flow", title: "Flow rate in the tube", y: "Q", lines: [
-      ...of(["Q_in", "inlet"], ["Q_mid", "half way"], ["Q_out", "outlet"]),
-      ...constant(series.rows, theory?.Q_1d, series.columns.get("Q_mid").unit, "1-D model")] },
-    { key: "radius", title: "Radius of the tube", y: "R", lines: [
-      ...of(["R_max", "largest (ring mean)"], ["R_min", "smallest (of a vertex)"]),
-      ...constant(series.rows, theory?.R_max_1d, series.columns.get("R_max").unit, "1-D model, largest")] },
-    { key: "leak", title: "Volume balance", y: "rate", lines: of(["dV_dt", "dV/dt"], ["leak", "leak through the wall"]) },
-    { key: "displacement", title: "Displacement", y: "|d|", lines: of(["largest_displacement", "largest of a vertex"]) },
+    {
+      key: "flow",
+      title: "Flow rate in the tube",
+      y: "Q",
+      lines: [
+        ...of(["Q_in", "inlet"], ["Q_mid", "half way"], ["Q_out", "outlet"]),
+        ...constant(series.rows, theory?.Q_1d, series.columns.get("Q_mid").unit, "1-D model"),
+      ],
+    },
+    {
+      key: "radius",
+      title: "Radius of the tube",
+      y: "R",
+      lines: [
+        ...of(["R_max", "largest (ring mean)"], ["R_min", "smallest (of a vertex)"]),
+        ...constant(
+          series.rows,
+          theory?.R_max_1d,
+          series.columns.get("R_max").unit,
+          "1-D model, largest",
+        ),
+      ],
+    },
+    {
+      key: "leak",
+      title: "Volume balance",
+      y: "rate",
+      lines: of(["dV_dt", "dV/dt"], ["leak", "leak through the wall"]),
+    },
+    {
+      key: "displacement",
+      title: "Displacement",
+      y: "|d|",
+      lines: of(["largest_displacement", "largest of a vertex"]),
+    },
     { key: "strain", title: "Strain", y: "λ₁ − 1", lines: of(["max_strain", "largest principal"]) },
-    { key: "energy", title: "Energies", y: "E", lines: of(["kinetic_energy", "kinetic"],
-      ["elastic_energy", "elastic"], ["bending_energy", "bending"]) },
+    {
+      key: "energy",
+      title: "Energies",
+      y: "E",
+      lines: of(
+        ["kinetic_energy", "kinetic"],
+        ["elastic_energy", "elastic"],
+        ["bending_energy", "bending"],
+      ),
+    },
     { key: "cfl", title: "Courant number", y: "CFL", lines: of(["cfl", "CFL"]) },
   ];
   const collapse = [
-    { key: "area", title: "Smallest cross-section", y: "A/A₀", lines: of(["min_area_ratio", "A/A₀"]) },
-    { key: "gap", title: "Gap between opposite walls", y: "gap", lines: of(["smallest_gap", "smallest"]) },
+    {
+      key: "area",
+      title: "Smallest cross-section",
+      y: "A/A₀",
+      lines: of(["min_area_ratio", "A/A₀"]),
+    },
+    {
+      key: "gap",
+      title: "Gap between opposite walls",
+      y: "gap",
+      lines: of(["smallest_gap", "smallest"]),
+    },
   ];
   if (isCollapsed(run)) charts.splice(2, 0, ...collapse);
   return charts;
@@ -65,25 +112,54 @@ function chartsOverTime(run) {
 function chartsAlongTube(run) {
   const of = (...names) => present(run.profile, names);
   const charts = [
-    { key: "profile-radius", title: "Radius", y: "R", lines: [
-      ...of(["R_mean", "mean"], ["R_min", "smallest"], ["R_max", "largest"]), ...ofModel(run, "R", "1-D model")] },
-    { key: "profile-pressure", title: "Pressure", y: "P", lines: [
-      ...of(["P_centre", "on the axis"], ["P_transmural", "internal − external"]), ...ofModel(run, "P", "1-D model, axis")] },
+    {
+      key: "profile-radius",
+      title: "Radius",
+      y: "R",
+      lines: [
+        ...of(["R_mean", "mean"], ["R_min", "smallest"], ["R_max", "largest"]),
+        ...ofModel(run, "R", "1-D model"),
+      ],
+    },
+    {
+      key: "profile-pressure",
+      title: "Pressure",
+      y: "P",
+      lines: [
+        ...of(["P_centre", "on the axis"], ["P_transmural", "internal − external"]),
+        ...ofModel(run, "P", "1-D model, axis"),
+      ],
+    },
     { key: "profile-flow", title: "Flow rate", y: "Q", lines: of(["Q", "inside the tube"]) },
     { key: "profile-area", title: "Cross-section", y: "A", lines: of(["area", "area"]) },
   ];
   const lobed = [
-    { key: "profile-gap", title: "Gap between opposite walls", y: "gap", lines: of(["gap", "smallest"]) },
-    { key: "profile-modes", title: "Waves around the tube", y: "amplitude",
-      lines: of(...MODES.map((n) => [`mode_${n}`, `${n} lobes`])) },
+    {
+      key: "profile-gap",
+      title: "Gap between opposite walls",
+      y: "gap",
+      lines: of(["gap", "smallest"]),
+    },
+    {
+      key: "profile-modes",
+      title: "Waves around the tube",
+      y: "amplitude",
+      lines: of(...MODES.map((n) => [`mode_${n}`, `${n} lobes`])),
+    },
   ];
   return isCollapsed(run) ? [...charts, ...lobed] : charts;
 }
 
 function draw(parent, charts, x, plots) {
   const grid = element("div", { class: "charts" });
-  parent.append(element("p", { class: "remark" },
-    "Point to read values, drag to zoom in, double-click to zoom out; click a name to hide its line."), grid);
+  parent.append(
+    element(
+      "p",
+      { class: "remark" },
+      "Point to read values, drag to zoom in, double-click to zoom out; click a name to hide it.",
+    ),
+    grid,
+  );
   for (const chart of charts)
     if (chart.lines.length) plots[chart.key] = drawChart(grid, { ...chart, x });
 }
@@ -92,10 +168,20 @@ function draw(parent, charts, x, plots) {
 export function showCharts(run) {
   const plots = {};
   if (run.series)
-    draw(byId("over-time"), chartsOverTime(run), { label: "t", ...run.series.columns.get("t") }, plots);
+    draw(
+      byId("over-time"),
+      chartsOverTime(run),
+      { label: "t", ...run.series.columns.get("t") },
+      plots,
+    );
   else byId("over-time").remove();
   if (run.profile)
-    draw(byId("along-tube"), chartsAlongTube(run), { label: "x", ...run.profile.columns.get("x") }, plots);
+    draw(
+      byId("along-tube"),
+      chartsAlongTube(run),
+      { label: "x", ...run.profile.columns.get("x") },
+      plots,
+    );
   else byId("along-tube").remove();
   return plots;
 }

@@ -12,23 +12,33 @@ const points = (values) => Array.from(values, (v) => (Number.isFinite(v) ? v : n
 function axis(label, shown, extra) {
   return {
     label: shown.unit ? `${label} [${shown.unit}]` : label,
-    labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
-    stroke: "#4a505a", grid: { stroke: "#e8eaee", width: 1 }, ticks: { stroke: "#c9cdd4", width: 1 },
-    values: (_, splits) => splits.map((v) => numberText(v / shown.factor)), ...extra,
+    labelFont: "13px system-ui, sans-serif",
+    font: "12px system-ui, sans-serif",
+    stroke: "#4a505a",
+    grid: { stroke: "#e8eaee", width: 1 },
+    ticks: { stroke: "#c9cdd4", width: 1 },
+    values: (_, splits) => splits.map((v) => numberText(v / shown.factor)),
+    ...extra,
   };
 }
 
 /// The number at the cursor, or the last one while there is none.
-const readOut = ({ factor }) => (plot, value, column, row) => {
-  const shown = row === null ? plot.data[column].at(-1) : value;
-  return numberText(shown === null ? NaN : shown / factor);
-};
+const readOut =
+  ({ factor }) =>
+  (plot, value, column, row) => {
+    const shown = row === null ? plot.data[column].at(-1) : value;
+    return numberText(shown === null ? NaN : shown / factor);
+  };
 
 function line({ label, dashed, values }, n, shown) {
   const few = values.length < FEW; // which lines alone would not show
   return {
-    label, stroke: dashed ? "#6b6f78" : COLOURS[n % COLOURS.length], width: dashed ? 1.5 : 2,
-    dash: dashed ? [6, 4] : undefined, points: { show: few }, spanGaps: false,
+    label,
+    stroke: dashed ? "#6b6f78" : COLOURS[n % COLOURS.length],
+    width: dashed ? 1.5 : 2,
+    dash: dashed ? [6, 4] : undefined,
+    points: { show: few },
+    spanGaps: false,
     value: readOut(shown),
   };
 }
@@ -49,14 +59,26 @@ export function drawChart(parent, chart) {
   const place = element("div", { class: "chart" }, element("h3", {}, chart.title));
   parent.append(place);
   const options = {
-    width: place.clientWidth || 480, height: HEIGHT,
+    width: place.clientWidth || 480,
+    height: HEIGHT,
     scales: { x: { time: false }, y: { range: limits } },
     cursor: { drag: { x: true, y: true, uni: 30 } },
-    series: [{ label: chart.x.label, value: readOut(x) },
-      ...chart.lines.map((l, n) => line(l, n, y))],
-    axes: [axis(chart.x.label, x, { labelSize: 22 }), axis(chart.y ?? "", y, { size: 74, labelSize: 22 })],
+    series: [
+      { label: chart.x.label, value: readOut(x) },
+      ...chart.lines.map((l, n) => line(l, n, y)),
+    ],
+    axes: [
+      axis(chart.x.label, x, { labelSize: 22 }),
+      axis(chart.y ?? "", y, { size: 74, labelSize: 22 }),
+    ],
   };
-  const plot = new uPlot(options, [points(chart.x.values), ...chart.lines.map((l) => points(l.values))], place);
-  new ResizeObserver(() => plot.setSize({ width: place.clientWidth, height: HEIGHT })).observe(place);
+  const plot = new uPlot(
+    options,
+    [points(chart.x.values), ...chart.lines.map((l) => points(l.values))],
+    place,
+  );
+  new ResizeObserver(() => plot.setSize({ width: place.clientWidth, height: HEIGHT })).observe(
+    place,
+  );
   return plot;
 }

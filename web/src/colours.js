@@ -1,11 +1,40 @@
 /// Colours of numbers: two sequential scales, and one about zero for numbers of both signs.
 
-const SEQUENTIAL = ["#440154", "#482878", "#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779",
-  "#6ece58", "#b5de2b", "#fde725"];
-const WARM = ["#0d0887", "#46039f", "#7201a8", "#9c179e", "#bd3786", "#d8576b", "#ed7953", "#fb9f3a",
-  "#fdca26", "#f0f921"];
-const DIVERGING = ["#1f4e9c", "#4f86c6", "#9cc3e4", "#e3edf5", "#f4f2ef", "#f7e0d4", "#eda98a",
-  "#d4604a", "#a51f2d"];
+const SEQUENTIAL = [
+  "#440154",
+  "#482878",
+  "#3e4989",
+  "#31688e",
+  "#26828e",
+  "#1f9e89",
+  "#35b779",
+  "#6ece58",
+  "#b5de2b",
+  "#fde725",
+];
+const WARM = [
+  "#0d0887",
+  "#46039f",
+  "#7201a8",
+  "#9c179e",
+  "#bd3786",
+  "#d8576b",
+  "#ed7953",
+  "#fb9f3a",
+  "#fdca26",
+  "#f0f921",
+];
+const DIVERGING = [
+  "#1f4e9c",
+  "#4f86c6",
+  "#9cc3e4",
+  "#e3edf5",
+  "#f4f2ef",
+  "#f7e0d4",
+  "#eda98a",
+  "#d4604a",
+  "#a51f2d",
+];
 
 const channels = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 

@@ -1,4 +1,4 @@
-/// What the program has put into the page: docs/report.md says what it holds.
+/// What the program has put into the page: src/report makes it.
 
 const NO_NUMBER = 65535;
 

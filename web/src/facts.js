@@ -24,8 +24,11 @@ function ending(run) {
   const unit = series?.columns.get("t").unit ?? summary?.units?.t ?? "";
   if (Number.isFinite(t)) parts.push(`t = ${quantityText(t, unit)}`);
   if (Number.isFinite(steps)) parts.push(`${steps} steps`);
-  if (summary) parts.push(`${summary.cells.toLocaleString("en")} cells`,
-    `${summary.vertices.toLocaleString("en")} wall vertices`);
+  if (summary)
+    parts.push(
+      `${summary.cells.toLocaleString("en")} cells`,
+      `${summary.vertices.toLocaleString("en")} wall vertices`,
+    );
   return parts.join(" · ");
 }
 
@@ -36,16 +39,24 @@ export function showHead(run) {
   byId("head").append(
     element("div", { class: "kicker" }, `Starling · ${run.directory}`),
     element("h1", {}, title),
-    element("p", { class: "standing" },
+    element(
+      "p",
+      { class: "standing" },
       element("span", { class: `badge ${kind}`, id: "state" }, words),
-      element("span", { class: "ending" }, ending(run))));
+      element("span", { class: "ending" }, ending(run)),
+    ),
+  );
   byId("foot").textContent = `Written by ${run.generator}.`;
 }
 
 function box(kind, heading, lines) {
   const items = lines.map((line) => element("li", {}, line));
-  return element("div", { class: `box ${kind}` }, element("strong", {}, heading),
-    element("ul", {}, ...items));
+  return element(
+    "div",
+    { class: `box ${kind}` },
+    element("strong", {}, heading),
+    element("ul", {}, ...items),
+  );
 }
 
 export function showNotes(run) {
@@ -58,25 +69,50 @@ export function showNotes(run) {
 }
 
 function resultRow({ label, value, unit, theory, difference }) {
-  const larger = Math.max(Math.abs(value), Math.abs(theory ?? 0)); // both in the same multiple of the unit
-  const number = (v) => element("td", { class: "number" }, v === undefined ? "" : quantityText(v, unit, larger));
-  const percent = difference === undefined ? ""
-    : `${difference >= 0 ? "+" : "−"}${numberText(Math.abs(100 * difference), 2)} %`;
-  return element("tr", {}, element("th", {}, pretty(label)), number(value), number(theory),
-    element("td", { class: "number" }, percent));
+  const larger = Math.max(Math.abs(value), Math.abs(theory ?? 0)); // both in one multiple of the unit
+  const number = (v) =>
+    element("td", { class: "number" }, v === undefined ? "" : quantityText(v, unit, larger));
+  const percent =
+    difference === undefined
+      ? ""
+      : `${difference >= 0 ? "+" : "−"}${numberText(Math.abs(100 * difference), 2)} %`;
+  return element(
+    "tr",
+    {},
+    element("th", {}, pretty(label)),
+    number(value),
+    number(theory),
+    element("td", { class: "number" }, percent),
+  );
 }
 
 export function showResults(run) {
   if (!run.results?.length) return byId("results").remove();
   const titles = ["", "run", "theory", "difference"].map((t) => element("th", {}, t));
-  byId("results").append(element("table", {}, element("thead", {}, element("tr", {}, ...titles)),
-    element("tbody", {}, ...run.results.map(resultRow))));
+  byId("results").append(
+    element(
+      "table",
+      {},
+      element("thead", {}, element("tr", {}, ...titles)),
+      element("tbody", {}, ...run.results.map(resultRow)),
+    ),
+  );
   if (run.summary?.theory)
-    byId("results").append(element("p", { class: "remark" },
-      "Theory is the one-dimensional model of the same clamped tube."));
+    byId("results").append(
+      element(
+        "p",
+        { class: "remark" },
+        "Theory is the one-dimensional model of the same clamped tube.",
+      ),
+    );
   else if (run.results.some((r) => r.theory !== undefined))
-    byId("results").append(element("p", { class: "remark" },
-      "Theory is the linear theory of buckling under the pressures of the case."));
+    byId("results").append(
+      element(
+        "p",
+        { class: "remark" },
+        "Theory is the linear theory of buckling under the pressures of the case.",
+      ),
+    );
 }
 
 export function showCase(run) {
@@ -85,9 +121,16 @@ export function showCase(run) {
     return byId("case-text").remove();
   }
   const rows = run.case.rows.map(({ label, value, unit }) =>
-    element("tr", {}, element("th", {}, pretty(label)),
-      element("td", { class: "number" }, quantityText(value, unit))));
-  byId("case").append(element("p", {}, pretty(run.case.words)),
-    element("table", {}, element("tbody", {}, ...rows)));
+    element(
+      "tr",
+      {},
+      element("th", {}, pretty(label)),
+      element("td", { class: "number" }, quantityText(value, unit)),
+    ),
+  );
+  byId("case").append(
+    element("p", {}, pretty(run.case.words)),
+    element("table", {}, element("tbody", {}, ...rows)),
+  );
   byId("case-text").querySelector("pre").textContent = run.case.text;
 }

@@ -1,6 +1,12 @@
 /// A plane of the flow through the axis, coloured by a field; nothing is drawn outside the tube.
 import {
-  DataTexture, DoubleSide, LinearFilter, Mesh, MeshBasicMaterial, PlaneGeometry, SRGBColorSpace,
+  DataTexture,
+  DoubleSide,
+  LinearFilter,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  SRGBColorSpace,
 } from "three";
 import { colourScale } from "./colours.js";
 import { fieldValues, nearestFrame } from "./data.js";
@@ -11,7 +17,7 @@ const WIDTH = 1200; // pixels along the tube, about
 export class Flow {
   constructor(data) {
     this.data = data;
-    this.finer = Math.min(8, Math.max(1, Math.round(WIDTH / data.cells[0]))); // pixels per cell
+    this.finer = Math.min(16, Math.max(1, Math.round(WIDTH / data.cells[0]))); // pixels per cell
     this.size = data.cells.map((n) => n * this.finer);
     this.texture = new DataTexture(new Uint8Array(4 * this.size[0] * this.size[1]), ...this.size);
     this.texture.colorSpace = SRGBColorSpace;
@@ -26,9 +32,15 @@ export class Flow {
     return this.data.normal === "y" ? 2 : 1;
   }
 
+  /// Where the plane stands along its normal.
+  get level() {
+    return this.data.origin[this.data.normal === "y" ? 1 : 2];
+  }
+
   plane() {
     const { cells, origin, spacing, normal } = this.data;
-    const width = cells[0] * spacing[0], height = cells[1] * spacing[this.across];
+    const width = cells[0] * spacing[0],
+      height = cells[1] * spacing[this.across];
     const plane = new PlaneGeometry(width, height);
     if (normal === "y") plane.rotateX(Math.PI / 2);
     const centre = [origin[0] + width / 2, origin[1], origin[2]];
@@ -68,22 +80,28 @@ export class Flow {
   }
 
   colour() {
+    this.texture.image.data.fill(0);
     const values = fieldValues(this.data.fields[this.field], this.frame);
-    const pixels = this.texture.image.data, [width, height] = this.size, scale = this.scale;
-    pixels.fill(0);
-    const { origin, spacing } = this.data;
-    for (let i = 0; i < width; ++i) {
-      const a = (i + 0.5) / this.finer;
-      const spans = this.spans && between(this.spans, origin[0] + a * spacing[0]);
-      for (let j = 0; j < height; ++j) {
-        const b = (j + 0.5) / this.finer;
-        const place = origin[this.across] + b * spacing[this.across];
-        if (spans && !spans.some(([low, high]) => low <= place && place <= high)) continue;
-        const value = interpolated(values, this.data.cells, a - 0.5, b - 0.5);
-        if (Number.isFinite(value)) setPixel(pixels, 4 * (j * width + i), scale.colour(value));
-      }
-    }
+    for (let i = 0; i < this.size[0]; ++i) this.colourColumn(i, values, this.scale);
     this.texture.needsUpdate = true;
+  }
+
+  /// The pixels of one x, those that lie wholly inside the wall.
+  colourColumn(i, values, scale) {
+    const { origin, spacing, cells } = this.data;
+    const pixel = spacing[this.across] / this.finer;
+    const a = (i + 0.5) / this.finer;
+    const spans = this.spans
+      ? between(this.spans, origin[0] + a * spacing[0])
+      : [[-Infinity, Infinity]];
+    for (let j = 0; j < this.size[1]; ++j) {
+      const place = origin[this.across] + (j + 0.5) * pixel;
+      if (!spans.some(([low, high]) => low + pixel / 2 <= place && place <= high - pixel / 2))
+        continue;
+      const value = interpolated(values, cells, a - 0.5, (j + 0.5) / this.finer - 0.5);
+      const at = 4 * (j * this.size[0] + i);
+      if (Number.isFinite(value)) setPixel(this.texture.image.data, at, scale.colour(value));
+    }
   }
 }
 
@@ -96,10 +114,13 @@ function setPixel(pixels, at, [red, green, blue]) {
 
 /// Bilinear between cell centres, over those cells that hold a number.
 function interpolated(values, [nx, ny], a, b) {
-  const i = Math.floor(a), j = Math.floor(b);
-  let sum = 0, weights = 0;
+  const i = Math.floor(a),
+    j = Math.floor(b);
+  let sum = 0,
+    weights = 0;
   for (let n = 0; n < 4; ++n) {
-    const p = i + (n & 1), q = j + (n >> 1);
+    const p = i + (n & 1),
+      q = j + (n >> 1);
     if (p < 0 || q < 0 || p >= nx || q >= ny) continue;
     const value = values[q * nx + p];
     if (Number.isNaN(value)) continue;

@@ -5,7 +5,10 @@
 export function insideSpans(wall, normal, origin) {
   const [along, across] = normal === "y" ? [1, 0] : [0, 1]; // of points [y, z]
   const level = normal === "y" ? origin[1] : origin[2];
-  return wall.rings.map(({ x }, n) => ({ x, spans: pairs(crossings(wall.section(n), along, across, level)) }));
+  return wall.rings.map(({ x }, n) => ({
+    x,
+    spans: pairs(crossings(wall.section(n), along, across, level)),
+  }));
 }
 
 /// Where a closed outline crosses the level, ascending.
@@ -20,7 +23,8 @@ function crossings(points, along, across, level) {
   return found.sort((p, q) => p - q);
 }
 
-const pairs = (ends) => Array.from({ length: ends.length / 2 }, (_, n) => [ends[2 * n], ends[2 * n + 1]]);
+const pairs = (ends) =>
+  Array.from({ length: ends.length / 2 }, (_, n) => [ends[2 * n], ends[2 * n + 1]]);
 
 /// The intervals at x: between rings with equally many in proportion, else those of the nearer one.
 export function between(rings, x) {

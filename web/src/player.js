@@ -8,9 +8,20 @@ export class Player {
   constructor(frames, show) {
     this.frames = frames;
     this.show = show;
-    this.slider = element("input", { id: "time", type: "range", min: 0, max: frames.length - 1,
-      value: frames.length - 1, "aria-label": "time", input: () => this.go(Number(this.slider.value)) });
-    this.button = element("button", { id: "play", type: "button", click: () => this.toggle() }, "▶ Play");
+    this.slider = element("input", {
+      id: "time",
+      type: "range",
+      min: 0,
+      max: frames.length - 1,
+      value: frames.length - 1,
+      "aria-label": "time",
+      input: () => this.go(Number(this.slider.value)),
+    });
+    this.button = element(
+      "button",
+      { id: "play", type: "button", click: () => this.toggle() },
+      "▶ Play",
+    );
     this.words = element("output", { id: "time-text" });
     this.controls = element("div", { class: "player" }, this.button, this.slider, this.words);
     this.controls.hidden = frames.length < 2;

@@ -1,6 +1,14 @@
 /// The 3-D view: camera, lights, drawing on demand.
 import {
-  AmbientLight, Box3, Color, DirectionalLight, Group, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
+  AmbientLight,
+  Box3,
+  Color,
+  DirectionalLight,
+  Group,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
@@ -46,8 +54,9 @@ export class View3D {
     this.world.scale.setScalar(1 / size.x);
     this.world.position.copy(box.getCenter(new Vector3())).multiplyScalar(-1 / size.x);
     const half = size.divideScalar(2 * size.x);
-    this.corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) =>
-      new Vector3(x, y, z).multiply(half))));
+    this.corners = [-1, 1].flatMap((x) =>
+      [-1, 1].flatMap((y) => [-1, 1].map((z) => new Vector3(x, y, z).multiply(half))),
+    );
     this.resize();
     this.look("overview");
   }

@@ -1,5 +1,5 @@
-/// The outline of one cross-section, seen from the inlet, at the time that is shown and in the first
-/// frame; at first the section at `x`.
+/// The outline of one cross-section, seen from the inlet, at the time that is shown and in the
+/// first frame; at first the section at `x`.
 import { element } from "./dom.js";
 import { quantityText } from "./units.js";
 
@@ -21,13 +21,31 @@ export class Section {
     this.factor = (0.3 * SIZE) / reach;
     this.before = shape("path", { class: "before" });
     this.now = shape("path", { class: "now" });
-    const picture = shape("svg", { viewBox: `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`, role: "img" });
+    const picture = shape("svg", {
+      viewBox: `${-SIZE / 2} ${-SIZE / 2} ${SIZE} ${SIZE}`,
+      role: "img",
+    });
     picture.append(this.before, this.now);
-    this.slider = element("input", { id: "section-x", type: "range", min: 0, max: wall.rings.length - 1,
-      value: this.nearest(x), input: () => this.choose() });
+    this.slider = element("input", {
+      id: "section-x",
+      type: "range",
+      min: 0,
+      max: wall.rings.length - 1,
+      value: this.nearest(x),
+      input: () => this.choose(),
+    });
     this.words = element("output", {});
-    place.append(element("h3", {}, "Cross-section"), picture, this.slider, this.words,
-      element("p", { class: "remark" }, "Blue: now; grey: in the first frame. y up, z to the right."));
+    place.append(
+      element("h3", {}, "Cross-section"),
+      picture,
+      this.slider,
+      this.words,
+      element(
+        "p",
+        { class: "remark" },
+        "Blue: now; grey: in the first frame. y up, z to the right.",
+      ),
+    );
     this.choose();
   }
 
@@ -48,7 +66,11 @@ export class Section {
   draw() {
     const ring = Number(this.slider.value);
     const path = (points) =>
-      "M" + points.map(([y, z]) => `${(z * this.factor).toFixed(2)},${(-y * this.factor).toFixed(2)}`).join("L") + "Z";
+      "M" +
+      points
+        .map(([y, z]) => `${(z * this.factor).toFixed(2)},${(-y * this.factor).toFixed(2)}`)
+        .join("L") +
+      "Z";
     this.before.setAttribute("d", path(this.first[ring]));
     this.now.setAttribute("d", path(this.wall.section(ring)));
     this.words.textContent = `x = ${quantityText(this.wall.rings[ring].x, this.wall.data.unit)}`;

@@ -16,25 +16,37 @@ class ColourBar {
     this.title = element("span", { class: "bar-title" });
     this.bar = element("div", { class: "bar" });
     this.limits = element("div", { class: "bar-limits" });
-    this.node = element("div", { class: "bar-box", id: `${name}-bar` }, this.title, this.bar, this.limits);
+    this.node = element(
+      "div",
+      { class: "bar-box", id: `${name}-bar` },
+      this.title,
+      this.bar,
+      this.limits,
+    );
     this.name = name;
     this.update();
   }
 
   update() {
     const { object } = this;
-    const field = object.data.fields[object.field], { scale } = object;
+    const field = object.data.fields[object.field],
+      { scale } = object;
     const shown = shownIn(field.unit, Math.max(Math.abs(scale.from), Math.abs(scale.to)));
     this.title.textContent = `${this.name}: ${field.label}${shown.unit ? ` [${shown.unit}]` : ""}`;
     this.bar.style.background = gradient(scale);
     const numbers = [scale.from, (scale.from + scale.to) / 2, scale.to];
-    this.limits.replaceChildren(...numbers.map((v) => element("span", {}, numberText(v / shown.factor, 3))));
+    this.limits.replaceChildren(
+      ...numbers.map((v) => element("span", {}, numberText(v / shown.factor, 3))),
+    );
   }
 }
 
 /// How much of the wall is taken away to show the flow.
-const CUTS = [{ part: "quarter", label: "a quarter cut away" }, { part: "half", label: "half cut away" },
-  { part: "whole", label: "whole" }];
+const CUTS = [
+  { part: "quarter", label: "a quarter cut away" },
+  { part: "half", label: "half cut away" },
+  { part: "whole", label: "whole" },
+];
 
 class Viewer {
   constructor(run, place) {
@@ -42,9 +54,17 @@ class Viewer {
     this.canvas = element("div", { class: "canvas" });
     this.side = element("div", { class: "side" });
     this.bars = element("div", { class: "bars" });
-    place.append(element("div", { class: "stage" }, this.canvas, this.side), this.bars,
-      element("p", { class: "remark" }, "Drag to turn, wheel to zoom, right button to move. Fluid flows " +
-        "along x, from left to right; y is up. The flow is shown in the plane through the axis, inside the tube."));
+    place.append(
+      element("div", { class: "stage" }, this.canvas, this.side),
+      this.bars,
+      element(
+        "p",
+        { class: "remark" },
+        "Drag to turn, wheel to zoom, right button to move. Fluid flows " +
+          "along x, from left to right; y is up. The flow is shown in the plane through the axis, " +
+          "inside the tube.",
+      ),
+    );
     this.view = new View3D(this.canvas);
     this.tools = element("div", { class: "tools" });
     this.addWall();
@@ -85,11 +105,16 @@ class Viewer {
     if (!object.data.fields.length) return;
     const bar = new ColourBar(name, object);
     this.bars.append(bar.node);
-    this.tools.append(labelled(`Colour of the ${name}`, choice(`${name}-field`, object.data.fields, (n) => {
-      object.colourBy(n);
-      bar.update();
-      this.view.draw();
-    })));
+    this.tools.append(
+      labelled(
+        `Colour of the ${name}`,
+        choice(`${name}-field`, object.data.fields, (n) => {
+          object.colourBy(n);
+          bar.update();
+          this.view.draw();
+        }),
+      ),
+    );
   }
 
   /// A red ball where the computation broke down.
@@ -105,27 +130,36 @@ class Viewer {
 
   addTools(place) {
     const views = Object.keys(VIEWS).map((name) =>
-      element("button", { type: "button", click: () => this.view.look(name) }, name));
+      element("button", { type: "button", click: () => this.view.look(name) }, name),
+    );
     if (this.wall) this.addWallTools();
     this.canvas.append(element("div", { class: "views" }, ...views));
     this.player = new Player(this.frames, (n) => this.show(n));
-    place.prepend(this.player.controls);
-    place.prepend(this.tools);
-    place.prepend(byHeading(place));
+    headingOf(place).after(this.tools, this.player.controls);
   }
 
   addWallTools() {
     const cut = choice("cut", CUTS, (n) => this.cut(CUTS[n].part));
     cut.value = this.flow ? 0 : CUTS.length - 1;
-    const opacity = element("input", { id: "opacity", type: "range", min: 0.1, max: 1, step: 0.05, value: 1,
-      input: (e) => { this.wall.opacity(Number(e.target.value)); this.view.draw(); } });
+    const opacity = element("input", {
+      id: "opacity",
+      type: "range",
+      min: 0.1,
+      max: 1,
+      step: 0.05,
+      value: 1,
+      input: (e) => {
+        this.wall.opacity(Number(e.target.value));
+        this.view.draw();
+      },
+    });
     this.tools.append(labelled("Wall", cut), labelled("Opacity", opacity));
     this.cut(CUTS[cut.value].part);
   }
 
   cut(part) {
     this.wall.object.updateWorldMatrix(true, false);
-    this.wall.cut(this.run.flow?.normal ?? "z", part);
+    this.wall.cut(this.flow?.data.normal ?? "z", this.flow?.level ?? 0, part);
     this.view.draw();
   }
 
@@ -141,8 +175,10 @@ class Viewer {
     this.section?.draw();
     this.view.draw();
     const unit = this.run.unit_of_t;
-    return `t = ${quantityText(t, unit)} (step ${step}, frame ${n + 1} of ${this.frames.length})` +
-      this.flowText(flow, t, unit);
+    return (
+      `t = ${quantityText(t, unit)} (step ${step}, frame ${n + 1} of ${this.frames.length})` +
+      this.flowText(flow, t, unit)
+    );
   }
 
   flowText(frame, t, unit) {
@@ -153,21 +189,29 @@ class Viewer {
   }
 }
 
-const byHeading = (place) => place.querySelector("h2");
+const headingOf = (place) => place.querySelector("h2");
 
 /// Builds the view; without WebGL says so instead. Returns it, or null.
 export function showViewer(run) {
   const place = byId("viewer");
   if (!run.wall && !run.flow) {
-    place.append(element("p", {}, "This run has written no frames of wall or flow that could be shown."));
+    place.append(
+      element("p", {}, "This run has written no frames of wall or flow that could be shown."),
+    );
     return null;
   }
   try {
     return new Viewer(run, place);
   } catch (error) {
     if (!/WebGL/i.test(String(error))) throw error;
-    place.replaceChildren(byHeading(place), element("p", { class: "box warn" },
-      "This browser has no WebGL, so wall and flow cannot be shown in three dimensions."));
+    place.replaceChildren(
+      headingOf(place),
+      element(
+        "p",
+        { class: "box warn" },
+        "This browser has no WebGL, so wall and flow cannot be shown in three dimensions.",
+      ),
+    );
     return null;
   }
 }

@@ -1,7 +1,14 @@
 /// The wall as a surface, coloured by a field.
 import {
-  BufferAttribute, BufferGeometry, DoubleSide, LineBasicMaterial, LineLoop, Mesh, MeshLambertMaterial,
-  Plane, Vector3,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  LineBasicMaterial,
+  LineLoop,
+  Mesh,
+  MeshLambertMaterial,
+  Plane,
+  Vector3,
 } from "three";
 import { colourScale } from "./colours.js";
 import { fieldValues, floats, integers } from "./data.js";
@@ -79,13 +86,16 @@ export class Wall {
     this.outline.geometry.setAttribute("position", new BufferAttribute(line, 3));
   }
 
-  /// Hides nothing ("whole"), the half of the wall in front of the plane of the flow ("half"), or of
-  /// that half what lies beyond the other plane through the axis ("quarter").
-  cut(plane, part) {
+  /// Hides nothing ("whole"), what stands in front of the plane of the flow ("half"), which is of
+  /// constant y or z (`normal`) at `level`, or of that what lies beyond the other plane through the
+  /// axis ("quarter").
+  cut(normal, level, part) {
     const [y, z] = [new Vector3(0, -1, 0), new Vector3(0, 0, -1)];
-    const [front, other] = plane === "y" ? [y, z] : [z, y];
-    const normals = { whole: [], half: [front], quarter: [front, other] }[part];
-    this.material.clippingPlanes = normals.map((n) => new Plane(n, 0).applyMatrix4(this.object.matrixWorld));
+    const front = new Plane(normal === "y" ? y : z, level);
+    const other = new Plane(normal === "y" ? z : y, 0);
+    const planes = { whole: [], half: [front], quarter: [front, other] }[part];
+    for (const plane of planes) plane.applyMatrix4(this.object.matrixWorld);
+    this.material.clippingPlanes = planes;
     this.material.clipIntersection = true; // hidden is what lies beyond all of the planes
     this.material.needsUpdate = true;
   }

@@ -2,6 +2,7 @@ starling_test(output_unit unit
   SOURCES unit/output/table_test.cpp unit/output/field_file_test.cpp
           unit/output/run_directory_test.cpp unit/output/checkpoint_test.cpp unit/output/damage_test.cpp
           unit/output/frame_file_test.cpp unit/output/summary_test.cpp
+          unit/output/read_table_test.cpp
   DEPENDS starling_output)
 
 # What ParaView's own readers make of the files; skipped where python3-paraview is not installed.
