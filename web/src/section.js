@@ -17,8 +17,7 @@ export class Section {
     this.wall = wall;
     this.changed = changed;
     this.first = wall.rings.map((_, n) => wall.section(n));
-    const reach = Math.max(...this.first.flat(2).map(Math.abs), 1e-30);
-    this.factor = (0.3 * SIZE) / reach;
+    this.factor = (0.44 * SIZE) / wall.reach();
     this.before = shape("path", { class: "before" });
     this.now = shape("path", { class: "now" });
     const picture = shape("svg", {

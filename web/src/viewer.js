@@ -70,6 +70,7 @@ class Viewer {
     this.addWall();
     this.addFlow();
     this.addBreakdown();
+    this.wall?.show(this.frames.length - 1);
     this.view.fit((this.wall ?? this.flow).object);
     this.addTools(place);
     this.go(this.frames.length - 1);

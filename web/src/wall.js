@@ -78,6 +78,16 @@ export class Wall {
     });
   }
 
+  /// Largest |y| or |z| of a vertex at any time.
+  reach() {
+    let reach = 1e-30;
+    for (const frame of this.data.points)
+      floats(frame).forEach((v, n) => {
+        if (n % 3 > 0) reach = Math.max(reach, Math.abs(v));
+      });
+    return reach;
+  }
+
   /// Draws a line around the tube at a ring.
   mark(ring) {
     this.ring = ring;
