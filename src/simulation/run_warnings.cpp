@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "simulation/estimate.hpp"
-
 namespace starling {
 
 namespace {
@@ -16,10 +14,6 @@ std::string remedy_of_leak(const Case& c, const Summary& s)
 {
     if (c.coupling.scheme != CouplingScheme::conserving)
         return "the scheme that leaks least is coupling.scheme = \"conserving\"";
-    if (may_collapse(c) && c.tube.mesh_filter > 0)
-        return fmt::format("in folds the mesh filter moves volume: take a finer grid or a weaker "
-                           "filter (wall.mesh_filter = {:.2g})",
-                           c.tube.mesh_filter / 4);
     if (!s.converged)
         return "the rigid parts follow a load that changes with a lag: wait for the steady state, "
                "or for the course in time take shorter rigid parts or a smaller time step";

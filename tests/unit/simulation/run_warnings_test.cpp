@@ -32,7 +32,7 @@ TEST_F(Leaking, LittleIsNoWarning)
     EXPECT_TRUE(run_warnings(c, s, 1).empty());
 }
 
-TEST_F(Leaking, SteadyInflationWantsAFinerGrid)
+TEST_F(Leaking, InASteadyTubeWantsAFinerGrid)
 {
     EXPECT_EQ(warning(), "the leak through the wall is -5 % of the flow: take a finer grid");
 }
@@ -47,14 +47,6 @@ TEST_F(Leaking, BeforeTheSteadyStateMayPass)
 {
     s.converged = false;
     EXPECT_TRUE(says("wait for the steady state"));
-}
-
-TEST_F(Leaking, OfFoldsIsTheMeshFiltersDoing)
-{
-    c.drive.pressure_outlet = -1;
-    EXPECT_TRUE(says("wall.mesh_filter = 0.25"));
-    c.tube.mesh_filter = 0;
-    EXPECT_TRUE(says("finer grid"));
 }
 
 TEST(RunWarnings, NameNarrowGapsAndASmallerStep)
