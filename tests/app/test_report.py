@@ -97,6 +97,24 @@ def check_time(page, frames):
     expect(page.picture(".canvas canvas") == drawn, "the end of the film looks different")
 
 
+def check_shared_time(page, frames):
+    """Plots over time mark the time of the view; a click in one sets it."""
+    from selenium.webdriver.common.action_chains import ActionChains
+    plot = page.driver.find_element("css selector", "#over-time .u-over")
+    page.run("arguments[0].scrollIntoView({block: 'center'})", plot)
+    page.set("#time", frames - 1)
+    marked = page.picture("#over-time canvas")
+    page.set("#time", 0)
+    expect(page.picture("#over-time canvas") != marked, "the plot marks no time")
+    ActionChains(page.driver).move_to_element(plot).click().perform()
+    times = page.run("return window.starling.run.wall.frames.map(f => f.t)")
+    middle = page.run("const {min, max} = window.starling.plots.flow.scales.x;"
+                      "return (min + max) / 2")
+    nearest = min(range(frames), key=lambda n: abs(times[n] - middle))
+    shown = page.run("return Number(document.getElementById('time').value)")
+    expect(0 < nearest < frames - 1 and shown == nearest, "a click shows frame", shown, nearest)
+
+
 def check_points(page, out):
     """The wall of the last frame is the one that `starling export` writes."""
     expect_exit(starling("export", out, "--out", out / "wall.csv"), 0)
@@ -155,6 +173,7 @@ def test_page(directory):
         check_plot(page, "profile-pressure", profile, ["x", "P_centre", "P_transmural"])
         check_points(page, out)
         check_time(page, page.run("return window.starling.run.wall.frames.length"))
+        check_shared_time(page, page.run("return window.starling.run.wall.frames.length"))
         check_colours(page)
         check_turning(page)
         check_sound(page)

@@ -1,6 +1,6 @@
 /// Which plots a run has.
 import { byId, element } from "./dom.js";
-import { drawChart } from "./charts.js";
+import { drawChart, shareTime } from "./charts.js";
 
 const MODES = [2, 3, 4, 5, 6, 7, 8];
 
@@ -150,22 +150,27 @@ function chartsAlongTube(run) {
   return isCollapsed(run) ? [...charts, ...lobed] : charts;
 }
 
-function draw(parent, charts, x, plots) {
+function draw(parent, charts, x, plots, viewer) {
   const grid = element("div", { class: "charts" });
   parent.append(
     element(
       "p",
       { class: "remark" },
-      "Point to read values, drag to zoom in, double-click to zoom out; click a name to hide it.",
+      "Point to read values, drag to zoom in, double-click to zoom out; click a name to hide it." +
+        (viewer ? " Click in a plot to see wall and flow at that time, the dashed line." : ""),
     ),
     grid,
   );
   for (const chart of charts)
-    if (chart.lines.length) plots[chart.key] = drawChart(grid, { ...chart, x });
+    if (chart.lines.length) {
+      plots[chart.key] = drawChart(grid, { ...chart, x });
+      if (viewer) shareTime(plots[chart.key], viewer);
+    }
 }
 
-/// Draws all plots; returns them by their keys.
-export function showCharts(run) {
+/// Draws all plots; returns them by their keys. Those over time and `viewer`, if there is one, show
+/// the same time.
+export function showCharts(run, viewer) {
   const plots = {};
   if (run.series)
     draw(
@@ -173,6 +178,7 @@ export function showCharts(run) {
       chartsOverTime(run),
       { label: "t", ...run.series.columns.get("t") },
       plots,
+      viewer,
     );
   else byId("over-time").remove();
   if (run.profile)

@@ -82,3 +82,30 @@ export function drawChart(parent, chart) {
   );
   return plot;
 }
+
+/// Marks the time that `viewer` shows in a plot over time; a click in the plot sets it.
+export function shareTime(plot, viewer) {
+  (plot.hooks.draw ??= []).push(() => markTime(plot, viewer.t));
+  viewer.followers.push(() => plot.redraw(false));
+  plot.redraw(false);
+  let pressed = 0;
+  plot.over.addEventListener("mousedown", (e) => (pressed = e.clientX));
+  plot.over.addEventListener("click", (e) => {
+    const dragged = Math.abs(e.clientX - pressed) > 3; // to zoom
+    if (!dragged) viewer.goTo(plot.posToVal(e.offsetX, "x"));
+  });
+}
+
+function markTime({ ctx, bbox, valToPos }, t) {
+  const x = valToPos(t, "x", true);
+  if (!(x >= bbox.left && x <= bbox.left + bbox.width)) return;
+  ctx.save();
+  ctx.strokeStyle = "#1d2129";
+  ctx.lineWidth = window.devicePixelRatio;
+  ctx.setLineDash([2, 3].map((n) => n * window.devicePixelRatio));
+  ctx.beginPath();
+  ctx.moveTo(x, bbox.top);
+  ctx.lineTo(x, bbox.top + bbox.height);
+  ctx.stroke();
+  ctx.restore();
+}

@@ -10,5 +10,5 @@ showNotes(run);
 showResults(run);
 showCase(run);
 const viewer = showViewer(run);
-const plots = showCharts(run);
+const plots = showCharts(run, viewer);
 window.starling = { run, viewer, plots };

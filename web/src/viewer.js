@@ -1,6 +1,7 @@
 /// Wall and flow in three dimensions, with all that steers them.
 import { Mesh, MeshBasicMaterial, SphereGeometry } from "three";
 import { gradient } from "./colours.js";
+import { nearestFrame } from "./data.js";
 import { byId, choice, element, labelled } from "./dom.js";
 import { Flow } from "./flow.js";
 import { Player } from "./player.js";
@@ -51,6 +52,8 @@ const CUTS = [
 class Viewer {
   constructor(run, place) {
     this.run = run;
+    this.t = NaN; // the time that is shown
+    this.followers = []; // called when it changes
     this.canvas = element("div", { class: "canvas" });
     this.side = element("div", { class: "side" });
     this.bars = element("div", { class: "bars" });
@@ -168,6 +171,11 @@ class Viewer {
     this.player.go(n);
   }
 
+  /// Shows the frame nearest in time to t.
+  goTo(t) {
+    this.go(nearestFrame(this.frames, t));
+  }
+
   /// Shows a frame; returns what it is in words.
   show(n) {
     const { t, step } = this.frames[n];
@@ -175,6 +183,8 @@ class Viewer {
     const flow = this.flow ? this.flow.show(t, this.wall) : -1;
     this.section?.draw();
     this.view.draw();
+    this.t = t;
+    this.followers.forEach((follow) => follow());
     const unit = this.run.unit_of_t;
     return (
       `t = ${quantityText(t, unit)} (step ${step}, frame ${n + 1} of ${this.frames.length})` +
