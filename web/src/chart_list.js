@@ -157,7 +157,7 @@ function draw(parent, charts, x, plots, viewer) {
       "p",
       { class: "remark" },
       "Point to read values, drag to zoom in, double-click to zoom out; click a name to hide it." +
-        (viewer ? " Click in a plot to see wall and flow at that time, the dashed line." : ""),
+        (viewer ? " Click in a plot to see wall and flow at that time, the dotted line." : ""),
     ),
     grid,
   );
