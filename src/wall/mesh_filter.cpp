@@ -11,8 +11,8 @@ MeshFilter::MeshFilter(const Tube& tube, Real rate)
 {
 }
 
-// In waves around the ring, area and displacement go together; what the means over the ring move is
-// no fold and is left alone.
+// c of formula (J') in docs/numerics.md. In waves around the ring, area and displacement go
+// together; what the means over the ring move is no fold and is left alone.
 void MeshFilter::find_volume_back(const Geometry& geometry)
 {
     const Vec3* A = geometry.vertex_area().data() + high_pass_.first();
