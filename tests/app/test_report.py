@@ -95,6 +95,10 @@ def check_time(page, frames):
     wait_for(lambda: page.run("return document.getElementById('time').value") == str(frames - 1))
     expect(positions(page) == last, "the end of the film is not the last frame")
     expect(page.picture(".canvas canvas") == drawn, "the end of the film looks different")
+    expect("Play" in page.text("#play"), "the film has ended, but plays", page.text("#play"))
+    page.click("#play")
+    page.set("#time", 1)
+    expect("Play" in page.text("#play"), "a film plays on from a chosen time")
 
 
 def check_shared_time(page, frames):

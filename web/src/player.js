@@ -15,7 +15,7 @@ export class Player {
       max: frames.length - 1,
       value: frames.length - 1,
       "aria-label": "time",
-      input: () => this.go(Number(this.slider.value)),
+      input: () => this.choose(Number(this.slider.value)),
     });
     this.button = element(
       "button",
@@ -32,6 +32,12 @@ export class Player {
     this.words.textContent = this.show(n);
   }
 
+  /// A frame that the user asks for: the film stops there.
+  choose(n) {
+    this.stop();
+    this.go(n);
+  }
+
   toggle() {
     if (this.timer) return this.stop();
     this.button.textContent = "❚❚ Pause";
@@ -42,8 +48,8 @@ export class Player {
 
   step() {
     const next = Number(this.slider.value) + 1;
-    if (next >= this.frames.length) return this.stop();
     this.go(next);
+    if (next === this.frames.length - 1) this.stop();
   }
 
   stop() {

@@ -76,7 +76,7 @@ class Viewer {
     this.wall?.show(this.frames.length - 1);
     this.view.fit((this.wall ?? this.flow).object);
     this.addTools(place);
-    this.go(this.frames.length - 1);
+    this.player.go(this.frames.length - 1);
   }
 
   get frames() {
@@ -167,13 +167,9 @@ class Viewer {
     this.view.draw();
   }
 
-  go(n) {
-    this.player.go(n);
-  }
-
-  /// Shows the frame nearest in time to t.
+  /// Shows the frame nearest in time to t; a film stops there.
   goTo(t) {
-    this.go(nearestFrame(this.frames, t));
+    this.player.choose(nearestFrame(this.frames, t));
   }
 
   /// Shows a frame; returns what it is in words.
