@@ -72,6 +72,12 @@ std::vector<KeyRule> flow_keys()
         {"drive", "pressure_external", measure, "pressure outside the tube", pressure,
          any_pressure},
         {"drive",
+         "ramp",
+         measure,
+         "time in which the drive rises from zero",
+         Quantity::time,
+         {.min = 0}},
+        {"drive",
          "velocity_scale",
          measure,
          "velocity scale U_c",
@@ -80,6 +86,27 @@ std::vector<KeyRule> flow_keys()
          {},
          si,
          "velocities are in units of U_c already: leave it out"},
+    };
+}
+
+/// A section for what is added to one of the pressures.
+std::vector<KeyRule> waveform_keys(std::string_view section)
+{
+    using enum Kind;
+    const Range factor = closed(-1e6, 1e6), instant = {.min = 0, .max = 1e12};
+    return {
+        {section, "amplitude", measure, "what the shape is multiplied by", pressure,
+         closed(-1e12, 1e12)},
+        {section, "period", measure, "time after which it repeats", Quantity::time, positive()},
+        {section, "cosine", numbers, "cosine terms of a Fourier series, from the first harmonic",
+         none, factor},
+        {section, "sine", numbers, "sine terms of a Fourier series, from the first harmonic", none,
+         factor},
+        {section, "times", numbers, "increasing times of a table, in time_scale", none, instant},
+        {section, "values", numbers, "values of a table, in amplitude", none, factor},
+        {section, "file", text, "CSV file with a header row and the columns time and value"},
+        {section, "time_scale", measure, "unit of the times of a table", Quantity::time,
+         positive()},
     };
 }
 
@@ -271,7 +298,9 @@ const std::vector<KeyRule>& case_keys()
 {
     static const std::vector<KeyRule> rules = [] {
         std::vector<KeyRule> all = flow_keys();
-        for (const auto& part : {wall_keys(), perturbation_keys(), numerical_keys()})
+        for (const auto& part : {waveform_keys("inlet_waveform"), waveform_keys("outlet_waveform"),
+                                 waveform_keys("external_waveform"), wall_keys(),
+                                 perturbation_keys(), numerical_keys()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

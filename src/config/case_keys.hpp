@@ -26,8 +26,9 @@ enum class Kind {
     step,    ///< a measure or "auto"
     seconds, ///< seconds of real time: a plain number or a string with a unit
     text,
-    choice, ///< one of a list of names
-    counts, ///< three whole numbers
+    choice,  ///< one of a list of names
+    counts,  ///< three whole numbers
+    numbers, ///< an array of plain numbers in both unit systems
 };
 
 /// Allowed values; an open end excludes the bound itself.

@@ -50,7 +50,8 @@ public:
     std::string text(std::string_view name, std::string_view otherwise) const;
 
     /// Assigns where the key has a good value (numbers dimensionless; not for "auto"); the target
-    /// keeps its default otherwise. T is bool, Index, Real or three counts, or optional of these.
+    /// keeps its default otherwise. T is bool, Index, Real, three counts, numbers, or optional of
+    /// these.
     template <class T>
     void fill(std::string_view name, T& target) const
     {

@@ -16,14 +16,18 @@ constexpr const char* override_file = "--set";
 
 int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
 
+/// Whole numbers if all are, else numbers.
 Value array_value(const toml::array& array)
 {
     std::vector<Index> counts;
+    std::vector<Real> numbers;
     for (const toml::node& element : array) {
-        if (!element.is_integer()) return OtherValue{"an array of other things than whole numbers"};
-        counts.push_back(element.as_integer()->get());
+        if (!element.is_number()) return OtherValue{"an array of other things than numbers"};
+        numbers.push_back(*element.value<double>());
+        if (element.is_integer()) counts.push_back(element.as_integer()->get());
     }
-    return counts;
+    if (counts.size() == numbers.size()) return counts;
+    return numbers;
 }
 
 Value to_value(const toml::node& node)

@@ -21,7 +21,8 @@ struct OtherValue {
     std::string type;
 };
 
-using Value = std::variant<bool, Index, Real, std::string, std::vector<Index>, OtherValue>;
+using Value =
+    std::variant<bool, Index, Real, std::string, std::vector<Index>, std::vector<Real>, OtherValue>;
 
 struct Entry {
     std::string section; ///< empty for keys above the first section

@@ -3,11 +3,13 @@ starling_module(config
     case_keys.cpp
     case_values.cpp
     document.cpp
+    input_file.cpp
     nearest_name.cpp
     quantities.cpp
     read_case.cpp
     read_scaling.cpp
     read_wall.cpp
+    read_waveform.cpp
     scaling.cpp
     shipped_cases.cpp
     units.cpp

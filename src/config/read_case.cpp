@@ -1,14 +1,15 @@
 #include "config/read_case.hpp"
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "config/case_values.hpp"
+#include "config/input_file.hpp"
 #include "config/read_scaling.hpp"
 #include "config/read_wall.hpp"
+#include "config/read_waveform.hpp"
 #include "config/shipped_cases.hpp"
 #include "config/validate.hpp"
 
@@ -68,7 +69,8 @@ void read_numerics(CaseValues& values, Case& c)
     values.fill("time.safety", c.time.safety);
 }
 
-void read_stop(CaseValues& values, StopParameters& stop)
+/// A drive that changes in time has no steady state to stop at.
+void read_stop(CaseValues& values, bool unsteady, StopParameters& stop)
 {
     const bool any = values.given("stop.end_time") || values.given("stop.steps") ||
                      values.given("stop.steady_tolerance") || values.given("stop.wall_clock");
@@ -76,7 +78,13 @@ void read_stop(CaseValues& values, StopParameters& stop)
     values.fill("stop.steps", stop.steps);
     values.fill("stop.steady_tolerance", stop.steady_tolerance);
     values.fill("stop.wall_clock", stop.wall_clock);
+    if (unsteady && stop.steady_tolerance)
+        values.problem("stop.steady_tolerance", "cannot be met by a drive with a waveform: give "
+                                                "end_time, steps or wall_clock instead");
     if (any) return;
+    if (unsteady)
+        return values.missing("stop.end_time", "or give steps or wall_clock: a drive with a "
+                                               "waveform has no steady state to stop at");
     if (values.has_section("stop"))
         values.missing("stop.steady_tolerance", "or give end_time, steps or wall_clock");
     stop.steady_tolerance = 1e-4;
@@ -107,22 +115,13 @@ void read_checkpoint(CaseValues& values, CheckpointParameters& checkpoint)
 
 std::string read_text(const std::filesystem::path& file)
 {
-    const auto fail = [&](const std::string& what) {
+    try {
+        return input_text(file);
+    } catch (const std::invalid_argument& e) {
+        std::string what = e.what();
+        if (!std::filesystem::exists(file)) what += "; " + shipped_cases_hint();
         throw InputError({{file.string(), 0, "", what}});
-    };
-    constexpr std::uintmax_t largest = 1 << 20;
-    std::error_code error;
-    const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) fail("no such file; " + shipped_cases_hint());
-    if (std::filesystem::is_directory(status)) fail("is a directory, not a case file");
-    if (!std::filesystem::is_regular_file(status)) fail("is not a regular file");
-    if (std::filesystem::file_size(file, error) > largest || error)
-        fail("is too large for a case file (1 MiB)");
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
-    if (!stream) fail("cannot be read");
-    return text.str();
+    }
 }
 
 } // namespace
@@ -137,9 +136,14 @@ Case read_case_text(std::string_view text, const std::string& name,
     read_reynolds(values, c.scaling, c.fluid.reynolds);
     read_wall(values, c);
     read_drive(values, c, c.drive);
+    const auto folder = std::filesystem::path(name).parent_path();
+    c.drive.inlet_waveform = read_waveform(values, "inlet_waveform", folder);
+    c.drive.outlet_waveform = read_waveform(values, "outlet_waveform", folder);
+    c.drive.external_waveform = read_waveform(values, "external_waveform", folder);
+    values.fill("drive.ramp", c.drive.ramp);
     read_grid(values, c, c.grid);
     read_numerics(values, c);
-    read_stop(values, c.stop);
+    read_stop(values, c.drive.has_waveform(), c.stop);
     read_output(values, c.output);
     read_checkpoint(values, c.checkpoint);
     validate(values, c);

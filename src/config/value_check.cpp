@@ -24,6 +24,8 @@ std::string describe(const Value& value)
     if (const auto* v = std::get_if<std::string>(&value)) return in_quotes(*v);
     if (const auto* v = std::get_if<std::vector<Index>>(&value))
         return fmt::format("an array of {} whole numbers", v->size());
+    if (const auto* v = std::get_if<std::vector<Real>>(&value))
+        return fmt::format("an array of {} numbers", v->size());
     return std::get<OtherValue>(value).type;
 }
 
@@ -132,6 +134,23 @@ CheckedValue counts_value(const KeyRule& rule, const Value& value)
     return std::array<Index, 3>{(*counts)[0], (*counts)[1], (*counts)[2]};
 }
 
+CheckedValue numbers_value(const KeyRule& rule, const Value& value)
+{
+    std::vector<Real> numbers;
+    if (const auto* v = std::get_if<std::vector<Real>>(&value))
+        numbers = *v;
+    else if (const auto* counts = std::get_if<std::vector<Index>>(&value))
+        numbers.assign(counts->begin(), counts->end());
+    else
+        fail(fmt::format("is {}; must be an array of plain numbers, as in [0.5, 1.0]",
+                         describe(value)));
+    if (numbers.empty()) fail("is empty; must hold at least one number");
+    for (Real x : numbers)
+        if (!std::isfinite(x) || !rule.range.contains(x))
+            fail(fmt::format("holds {:g}; each must be {}", x, rule.range.describe()));
+    return numbers;
+}
+
 std::string what_a_measure_takes(const KeyRule& rule, UnitSystem system)
 {
     const std::string scale = Scaling{}.unit(rule.quantity), range = rule.range.describe();
@@ -156,6 +175,7 @@ std::string what_it_takes(const KeyRule& rule, UnitSystem system)
     case Kind::text: return "text in quotes";
     case Kind::choice: return one_of(rule.choices);
     case Kind::counts: return "three whole numbers, each " + rule.range.describe();
+    case Kind::numbers: return "an array of plain numbers, each " + rule.range.describe();
     }
     return "";
 }
@@ -177,6 +197,7 @@ CheckedValue check_value(const KeyRule& rule, const Value& value, UnitSystem sys
         fail(fmt::format("is {}; must be text in quotes", describe(value)));
     case Kind::choice: return choice_value(rule, value);
     case Kind::counts: return counts_value(rule, value);
+    case Kind::numbers: return numbers_value(rule, value);
     }
     fail("cannot be read");
 }

@@ -11,7 +11,8 @@ namespace starling {
 
 /// A value of the type its rule asks for; numbers and measures (in SI where the file is) are
 /// long double, "auto" is a string.
-using CheckedValue = std::variant<bool, Index, long double, std::string, std::array<Index, 3>>;
+using CheckedValue =
+    std::variant<bool, Index, long double, std::string, std::array<Index, 3>, std::vector<Real>>;
 
 /// What a key takes, for messages: "a plain number from 0.5 to 1", `one of "single", "double"`, "a
 /// length with a unit, in quotes (nm, um, mm, m), greater than 0".

@@ -46,6 +46,12 @@ public:
     }
     void text(std::string_view key, const std::string& value) { raw(key, string_text(value)); }
     void number(std::string_view key, Real value) { raw(key, float_text(value)); }
+    void numbers(std::string_view key, const std::vector<Real>& values)
+    {
+        std::string text;
+        for (Real x : values) text += (text.empty() ? "" : ", ") + float_text(x);
+        raw(key, "[" + text + "]");
+    }
     void boolean(std::string_view key, bool value) { raw(key, value ? "true" : "false"); }
     void integer(std::string_view key, Index value) { raw(key, fmt::format("{}", value)); }
     void comment(const std::string& text) { out_ += fmt::format("# {}\n", text); }
@@ -95,6 +101,20 @@ void write_fluid(CaseWriter& w, const Case& c)
     w.number("theta", c.fluid.theta);
 }
 
+void write_waveform(CaseWriter& w, std::string_view section, const Waveform& f)
+{
+    if (f.none()) return;
+    w.section(section);
+    w.measure("amplitude", f.amplitude, Quantity::pressure);
+    if (f.period > 0) w.measure("period", f.period, Quantity::time);
+    if (!f.cosine.empty()) w.numbers("cosine", f.cosine);
+    if (!f.sine.empty()) w.numbers("sine", f.sine);
+    if (f.times.empty()) return;
+    w.measure("time_scale", 1, Quantity::time);
+    w.numbers("times", f.times);
+    w.numbers("values", f.values);
+}
+
 void write_drive(CaseWriter& w, const Case& c)
 {
     w.section("drive");
@@ -102,7 +122,11 @@ void write_drive(CaseWriter& w, const Case& c)
     w.measure("pressure_inlet", c.drive.pressure_inlet, Quantity::pressure);
     w.measure("pressure_outlet", c.drive.pressure_outlet, Quantity::pressure);
     w.measure("pressure_external", c.drive.pressure_external, Quantity::pressure);
+    if (c.drive.ramp > 0) w.measure("ramp", c.drive.ramp, Quantity::time);
     if (c.scaling.si) w.scale("velocity_scale", c.scaling.velocity, Quantity::velocity);
+    write_waveform(w, "inlet_waveform", c.drive.inlet_waveform);
+    write_waveform(w, "outlet_waveform", c.drive.outlet_waveform);
+    write_waveform(w, "external_waveform", c.drive.external_waveform);
 }
 
 void write_vessel(CaseWriter& w, const Case& c)

@@ -1,6 +1,7 @@
 #pragma once
 /// What a case says about the fluid and its drive.
 #include "core/types.hpp"
+#include "flow/waveform.hpp"
 
 namespace starling {
 
@@ -11,10 +12,29 @@ struct FluidParameters {
 };
 
 /// Pressures on the end faces (rho U_c^2): inlet and outlet inside the tube, external outside it.
+struct EndPressures {
+    Real inlet = 0, outlet = 0, external = 0;
+};
+
+/// What drives the flow: a steady pressure at each place and a waveform added to it.
 struct DriveParameters {
-    Real pressure_inlet = 0;
+    Real pressure_inlet = 0; ///< rho U_c^2, as all here
     Real pressure_outlet = 0;
     Real pressure_external = 0;
+    Waveform inlet_waveform = {}, outlet_waveform = {}, external_waveform = {};
+    Real ramp = 0; ///< time in which all of it rises from zero, as sin^2; 0: at once
+
+    bool has_waveform() const
+    {
+        return !(inlet_waveform.none() && outlet_waveform.none() && external_waveform.none());
+    }
+    /// The pressures at a time t >= 0.
+    EndPressures at(Real t) const;
+    /// The steady drives that widen and narrow the tube at least as much as this one ever does.
+    DriveParameters widest() const;
+    DriveParameters narrowest() const;
+    /// A time step that follows the waveforms and the ramp; infinite for a drive that is steady.
+    Real resolution() const;
 };
 
 } // namespace starling

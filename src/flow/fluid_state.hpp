@@ -12,8 +12,14 @@ struct FluidState {
     ScalarField P;
     VectorField N_before; ///< div(u u) of the previous step, at the faces
     Real dt_before = 0;   ///< previous time step; 0 before the first
+    /// What P takes on the faces at x = 0 and x = L (rho U_c^2; ny x nz each, z fastest).
+    std::array<Array<Real>, 2> end_pressure;
 
-    explicit FluidState(const Grid& g) : u(g), P(g), N_before(g) {}
+    explicit FluidState(const Grid& g)
+        : u(g), P(g),
+          N_before(g), end_pressure{Array<Real>(g.ny() * g.nz()), Array<Real>(g.ny() * g.nz())}
+    {
+    }
 };
 
 } // namespace starling

@@ -21,6 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array<const char*, 3> component_names = {"u", "v", "w"};
+constexpr std::array<const char*, 2> end_pressure_names = {"/fluid/P_inlet", "/fluid/P_outlet"};
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
@@ -88,6 +89,10 @@ void write_state(hdf5::File& file, const State& s)
         const auto v = f.values().span();
         file.write(path, {v.size()}, v, full);
     });
+    for (std::size_t end = 0; end < 2; ++end)
+        file.write(end_pressure_names[end],
+                   {static_cast<hsize_t>(s.fluid.end_pressure[end].size())},
+                   s.fluid.end_pressure[end].span(), full);
     const hsize_t vertices = static_cast<hsize_t>(s.wall.x.size());
     file.write("/wall/x", {vertices, 3}, as_reals(s.wall.x), full);
     file.write("/wall/velocity", {vertices, 3}, as_reals(s.wall.velocity), full);
@@ -187,6 +192,8 @@ bool is_finite(const State& s)
     for_fields(s.fluid, [&](const std::string&, const ScalarField& f) {
         finite = finite && all_finite(f.values().span());
     });
+    for (const Array<Real>& values : s.fluid.end_pressure)
+        finite = finite && all_finite(values.span());
     return finite;
 }
 
@@ -233,6 +240,11 @@ void CheckpointFile::read(State& s) const
         for_fields(s.fluid, [&](const std::string& path, ScalarField& f) {
             file.read(path, std::span(f.values().data(), f.values().span().size()));
         });
+        for (std::size_t end = 0; end < 2; ++end) {
+            Array<Real>& values = s.fluid.end_pressure[end];
+            file.read(end_pressure_names[end],
+                      std::span(values.data(), static_cast<std::size_t>(values.size())));
+        }
         file.read("/wall/x", as_reals(s.wall.x));
         file.read("/wall/velocity", as_reals(s.wall.velocity));
         file.read("/wall/support", as_reals(s.wall.support));
@@ -243,6 +255,22 @@ void CheckpointFile::read(State& s) const
         refuse(path_, std::string(e.what()) + " (another grid or wall?)");
     }
 }
+
+namespace {
+
+void set(Real& target, Real value) { target = value; }
+
+/// Throws std::runtime_error for what is no whole number.
+void set(Index& target, Real value)
+{
+    constexpr Real largest = 9007199254740992; // 2^53: whole numbers below are exact
+    if (!(std::abs(value) <= largest) || value != std::trunc(value))
+        throw std::runtime_error(
+            fmt::format("/run/window holds {} in place of a whole number", value));
+    target = static_cast<Index>(value);
+}
+
+} // namespace
 
 RunMemory CheckpointFile::read_memory() const
 {
@@ -262,11 +290,7 @@ RunMemory CheckpointFile::read_memory() const
         auto value = values.begin();
         for (Sample& s : m.window)
             for (const Column<Sample>& c : columns)
-                std::visit(
-                    [&](auto p) {
-                        s.*p = static_cast<std::remove_reference_t<decltype(s.*p)>>(*value++);
-                    },
-                    c.member);
+                std::visit([&](auto p) { set(s.*p, *value++); }, c.member);
         return m;
     } catch (const std::exception& e) {
         refuse(path_, e.what());

@@ -31,15 +31,28 @@ std::string wall_in_words(const Case& c)
                        length(c.tube.rigid_outlet), law_in_words(c.material));
 }
 
+std::string waveform_in_words(const char* place, const Waveform& w, const Scaling& scaling)
+{
+    if (w.none()) return "";
+    const std::string period =
+        w.period > 0 ? ", again after " + with_unit(w.period, Quantity::time, scaling) : "";
+    return fmt::format(". To the pressure {} is added a waveform from {} to {}{}", place,
+                       with_unit(w.lowest(), Quantity::pressure, scaling),
+                       with_unit(w.highest(), Quantity::pressure, scaling), period);
+}
+
 std::string drive_in_words(const Case& c)
 {
     const auto pressure = [&](Real p) { return with_unit(p, Quantity::pressure, c.scaling); };
-    return fmt::format(
-        "The fluid is driven by {} at the inlet against {} at the outlet, {} outside "
-        "the tube; this is {:.4g} times the pressure drop that drives the centreline "
-        "velocity U_c through the undeformed tube",
-        pressure(c.drive.pressure_inlet), pressure(c.drive.pressure_outlet),
-        pressure(c.drive.pressure_external), c.pressure_ratio());
+    const std::string steady =
+        fmt::format("The fluid is driven by {} at the inlet against {} at the outlet, {} outside "
+                    "the tube; this is {:.4g} times the pressure drop that drives the centreline "
+                    "velocity U_c through the undeformed tube",
+                    pressure(c.drive.pressure_inlet), pressure(c.drive.pressure_outlet),
+                    pressure(c.drive.pressure_external), c.pressure_ratio());
+    return steady + waveform_in_words("at the inlet", c.drive.inlet_waveform, c.scaling) +
+           waveform_in_words("at the outlet", c.drive.outlet_waveform, c.scaling) +
+           waveform_in_words("outside", c.drive.external_waveform, c.scaling);
 }
 
 std::string perturbation_in_words(const Case& c)

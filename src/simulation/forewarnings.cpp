@@ -107,7 +107,7 @@ Prediction predict(const Case& c)
 {
     if (may_collapse(c)) return {};
     try {
-        return {solve_one_dimensional({c.tube, c.material, c.fluid, c.drive}), ""};
+        return {solve_one_dimensional({c.tube, c.material, c.fluid, c.drive.widest()}), ""};
     } catch (const NumericalError& e) {
         const std::string text = e.what();
         return {std::nullopt, text.substr(0, text.find('\n'))};

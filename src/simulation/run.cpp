@@ -272,7 +272,8 @@ private:
 
 bool has_theory(const Case& c)
 {
-    return c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds);
+    return !c.drive.has_waveform() &&
+           (c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds));
 }
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)

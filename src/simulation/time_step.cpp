@@ -1,6 +1,7 @@
 #include "simulation/time_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace starling {
 
@@ -47,6 +48,9 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
     // Ghost-node values lag by a step: tried stable up to dt/(Re Delta^2) = 52. The pressure behind
     // a rigid wall settles in a number of steps that grows with dt: 5 is near the best.
     limits.push_back({"ghost nodes", safety * (c.tube.rigid ? 5 : 50) * Re * spacing * spacing});
+    // A drive that changes in time, for accuracy: 50 steps to its shortest harmonic.
+    if (std::isfinite(c.drive.resolution()))
+        limits.push_back({"drive", safety * c.drive.resolution()});
     return limits;
 }
 

@@ -49,7 +49,7 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     op.momentum.predict(s.fluid, w.F, u_GN, dt);                      // u_hat           (36)
     w.mark(Phase::momentum);
     // 3. Pressure
-    op.projection.project(s.fluid, dt);                               // P, u            (37)-(39)
+    op.projection.project(s.fluid, s.t, dt);                          // P, u            (37)-(39)
     w.mark(Phase::pressure);
     // 4. The wall follows
     op.coupling.follow(s.fluid.u, s.wall);                            // u_w             (30), (35)

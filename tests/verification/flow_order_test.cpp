@@ -53,13 +53,13 @@ Result run(const ManufacturedFlow& flow, const Grid& g, Real theta, Real t_end, 
     ScalarField P_before(g);
     const Result initial = exact(flow, g, 0, (theta - 1) * dt);
     s.u = initial.u;
-    projection.project(s, dt); // or the first pressure increment would be O(h^2/dt)
+    projection.project(s, 0, dt); // or the first pressure increment would be O(h^2/dt)
     s.P = initial.P;
     for (Index n = 0; n < steps; ++n) {
         P_before = s.P;
         force.evaluate((static_cast<Real>(n) + theta) * dt, rhs);
         momentum.predict(s, rhs, nothing.view(), dt);
-        projection.project(s, dt);
+        projection.project(s, 0, dt);
     }
     visit(g.unknowns(Location::cell), [&](Index i, Index j, Index k) {
         P_before(i, j, k) = s.P(i, j, k) + (1 - theta) * (s.P(i, j, k) - P_before(i, j, k));

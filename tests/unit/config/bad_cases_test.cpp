@@ -457,5 +457,57 @@ TEST(BadCases, ASharedFaultIsReportedOnce)
               (std::vector<std::string>{"vessel.radius"}));
 }
 
+/// The message at `key` of the good case with a waveform at the inlet made of these lines.
+std::string waveform_message(std::string_view key, const std::string& lines)
+{
+    for (const Problem& p : problems_of(std::string(good_case) + "[inlet_waveform]\n" + lines))
+        if (p.key == "inlet_waveform." + std::string(key)) return p.message;
+    return "";
+}
+
+TEST(BadCases, WaveformsThatAreIncompleteOrContradictThemselves)
+{
+    const std::string a = "amplitude = 1.0\n", T = "period = 2.0\n";
+    struct Row {
+        std::string lines;
+        std::string_view key, fragment;
+    };
+    const Row rows[] = {
+        {"cosine = [1.0]\n" + T, "amplitude", "is missing"},
+        {a + T, "amplitude", "needs one shape"},
+        {a + T + "cosine = [1.0]\ntimes = [0.0]\nvalues = [1]\n", "amplitude", "needs one shape"},
+        {a + "cosine = [1.0]\n", "period", "is missing"},
+        {a + T + "cosine = []\n", "cosine", "is empty"},
+        {a + T + "cosine = 1.0\n", "cosine", "must be an array of plain numbers"},
+        {a + T + "cosine = ['1']\n", "cosine", "an array of other things than numbers"},
+        {a + T + "cosine = [nan]\n", "cosine", "each must be from -1e+06 to 1e+06"},
+        {a + T + "sine = [2e6]\n", "sine", "holds 2e+06"},
+        {a + T + "sine = [1]\ntime_scale = 1.0\n", "time_scale", "belongs to a table"},
+        {a + "times = [0, 1]\nvalues = [1, 2]\n", "time_scale", "or give a period"},
+        {a + T + "times = [0, 1]\n", "values", "is missing"},
+        {a + T + "times = [0, 0.5]\nvalues = [1, 2, 3]\n", "values", "holds 3 numbers for 2 times"},
+        {a + T + "times = [0.5, 0.2]\nvalues = [1, 2]\n", "times",
+         "do not increase from 0 at row 2"},
+        {a + T + "times = [0, 1.5]\nvalues = [1, 2]\n", "times", "past the period"},
+        {a + T + "times = [0, 1]\nvalues = [1, 2]\n", "times", "other values at the end"},
+        {a + T + "file = 'none.csv'\n", "file", "no such file"},
+    };
+    for (const auto& [lines, key, fragment] : rows)
+        EXPECT_NE(waveform_message(key, lines).find(fragment), std::string::npos)
+            << lines << key << ": " << waveform_message(key, lines);
+}
+
+TEST(BadCases, ADriveWithAWaveformIsNeverSteady)
+{
+    const std::string waveform = "[inlet_waveform]\namplitude = 1.0\nperiod = 1.0\nsine = [1]\n";
+    const std::string steady =
+        changed(good_case, "end_time = 1.0", "steady_tolerance = 1e-4") + waveform;
+    EXPECT_TRUE(holds(problems_of(steady), 25, "stop.steady_tolerance", "cannot be met"));
+    const std::string none = changed(good_case, "[stop]\nend_time = 1.0\n", "") + waveform;
+    const auto problems = problems_of(none);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].key, "stop.end_time");
+}
+
 } // namespace
 } // namespace starling

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
+#include "../output/temporary_directory.hpp"
 #include "case_text.hpp"
 #include "core/error.hpp"
 #include "same_case.hpp"
@@ -189,6 +192,44 @@ TEST(ReadCase, TheSamePhysicsInOtherUnitsIsTheSameCase)
     EXPECT_DOUBLE_EQ(a.fluid.reynolds, b.fluid.reynolds);
     EXPECT_DOUBLE_EQ(a.material.eps, b.material.eps);
     EXPECT_DOUBLE_EQ(a.drive.pressure_inlet, b.drive.pressure_inlet);
+}
+
+/// The inlet's waveform of the good case with a table in a file beside it.
+Waveform from_csv(const std::string& rows, const std::string& more)
+{
+    TemporaryDirectory directory;
+    std::ofstream(directory.path() / "flow.csv") << rows;
+    const auto file = directory.path() / "case.toml";
+    std::ofstream(file) << test::good_case
+                        << "[inlet_waveform]\namplitude = 2.0\nfile = 'flow.csv'\n"
+                        << more;
+    return read_case(file).drive.inlet_waveform;
+}
+
+TEST(ReadCase, TakesAWaveformFromACsvFileBesideTheCase)
+{
+    const Waveform w =
+        from_csv("time,value\r\n0,1\r\n 0.5 , 3e0\r\n\n1,+2\n", "time_scale = 4.0\n");
+    EXPECT_EQ(w.times, (std::vector<Real>{0, 2, 4}));
+    EXPECT_EQ(w.values, (std::vector<Real>{1, 3, 2}));
+    EXPECT_EQ(w(3), 5);
+    const Waveform periodic = from_csv("0,1\n0.5,3\n1,1\n", "period = 4.0\n");
+    EXPECT_EQ(periodic.times, (std::vector<Real>{0, 2})) << "the last row says the first again";
+    EXPECT_EQ(periodic(7), 2 * 2);
+}
+
+TEST(ReadCase, NamesTheLineOfACsvFileThatIsWrong)
+{
+    for (const char* rows :
+         {"time,value\n0,1\n1;2\n", "time,value\n0,1\n1,x\n", "t,v\n0,1\n1\n", "t,v\n0,1\n1,nan\n"})
+        try {
+            from_csv(rows, "period = 4.0\n");
+            ADD_FAILURE() << rows;
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find("line 3 is"), std::string::npos) << e.what();
+        }
+    EXPECT_THROW(from_csv("time,value\n", "period = 4.0\n"), InputError);
+    EXPECT_THROW(from_csv("", "period = 4.0\n"), InputError);
 }
 
 } // namespace

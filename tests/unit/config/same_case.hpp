@@ -39,6 +39,16 @@ inline std::vector<std::uint64_t> bits(const Case& c)
     maybe(c.perturbation.mode);
     integer(c.perturbation.seed);
     for (const auto& x : {c.stop.steps, c.checkpoint.steps}) maybe(x);
+    real(c.drive.ramp);
+    for (const Waveform* w :
+         {&c.drive.inlet_waveform, &c.drive.outlet_waveform, &c.drive.external_waveform}) {
+        real(w->amplitude);
+        real(w->period);
+        for (const auto* numbers : {&w->cosine, &w->sine, &w->times, &w->values}) {
+            integer(numbers->size());
+            for (Real x : *numbers) real(x);
+        }
+    }
     integer(c.checkpoint.keep);
     integer(c.grid.cells.has_value());
     if (c.grid.cells)

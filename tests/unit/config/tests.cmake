@@ -9,6 +9,6 @@ starling_test(test_config unit
     unit/config/shipped_cases_test.cpp
     unit/config/units_test.cpp
     unit/config/write_case_test.cpp
-  DEPENDS starling_config)
+  DEPENDS starling_config starling_flow)
 target_link_libraries(test_config PRIVATE fmt::fmt)
 target_compile_definitions(test_config PRIVATE STARLING_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -53,6 +53,25 @@ TEST(WriteCase, ReadsBackToTheSameBits)
     }
 }
 
+TEST(WriteCase, ReadsADriveThatChangesInTimeBackToTheSameBits)
+{
+    const std::vector<std::vector<std::string>> changes = {
+        {"drive.ramp=1.7 ms", "inlet_waveform.amplitude=3.1 Pa", "inlet_waveform.period=7.3 ms",
+         "inlet_waveform.cosine=[0.1, -0.3]", "inlet_waveform.sine=[0, 0, 1]"},
+        {"outlet_waveform.amplitude=-0.7 mmHg", "outlet_waveform.times=[0.1, 0.37, 1.1]",
+         "outlet_waveform.values=[1, 2.3, -0.1]", "outlet_waveform.time_scale=3.3 ms",
+         "external_waveform.amplitude=11 Pa", "external_waveform.period=13 ms",
+         "external_waveform.times=[0, 0.3]", "external_waveform.values=[1, 0.7]"},
+    };
+    for (const auto& overrides : changes) {
+        expect_round_trip(read_case_text(good_si_case, "good", overrides));
+        auto plain = overrides;
+        for (std::string& text : plain) // "3.1 Pa" becomes "3.1"
+            if (text.find(']') == std::string::npos) text.erase(text.find(' '));
+        expect_round_trip(read_case_text(good_case, "good", plain));
+    }
+}
+
 TEST(WriteCase, ReadsAPerturbationBackToTheSameBits)
 {
     for (const char* choice : {"perturbation.mode=3", "perturbation.seed=7"}) {

@@ -24,7 +24,7 @@ TEST_F(ProjectionStep, LeavesADivergenceAtRoundOff)
     const Real smallest_spacing = g.spacing().x;
     FluidState s(g);
     s.u = support::random_velocity(g, random);
-    Projection(g, fluid, {1, -1, 0.5}).project(s, dt);
+    Projection(g, fluid, {1, -1, 0.5}).project(s, 0, dt);
     EXPECT_LT(largest(cells, DivergenceAtCell(g, s.u)), 1e-13 / smallest_spacing);
     EXPECT_GT(largest(g.unknowns(Location::u), s.u[Location::u].view()), 0.1);
 }
@@ -34,7 +34,7 @@ TEST_F(ProjectionStep, DoesNotChangeASolenoidalFlow)
     FluidState s(g);
     s.u = support::random_solenoidal_velocity(g, 1, random);
     const VectorField before = s.u;
-    Projection(g, fluid, {}).project(s, dt);
+    Projection(g, fluid, {}).project(s, 0, dt);
     for (Location c : components)
         EXPECT_LT(
             largest(g.unknowns(c), [&](Index i, Index j,
@@ -58,7 +58,7 @@ TEST_F(ProjectionStep, RemovesAGradientAndAddsItToThePressure)
             s.u[c](i, j, k) = dt * (p[0] - p[-phi.view().stride(axis(c))]) / spacing;
         });
     fill_velocity_halo(g, s.u);
-    Projection(g, fluid, {}).project(s, dt);
+    Projection(g, fluid, {}).project(s, 0, dt);
     for (Location c : components) EXPECT_LT(largest(g.unknowns(c), s.u[c].view()), 1e-14);
     const Laplacian laplacian(h);
     const View<const Real> f = std::as_const(phi).view();
@@ -76,9 +76,9 @@ TEST_F(ProjectionStep, IsAProjection)
     FluidState s(g);
     s.u = support::random_velocity(g, random);
     Projection projection(g, fluid, {});
-    projection.project(s, dt);
+    projection.project(s, 0, dt);
     const VectorField once = s.u;
-    projection.project(s, dt);
+    projection.project(s, 0, dt);
     for (Location c : components)
         EXPECT_LT(
             largest(g.unknowns(c),
@@ -90,7 +90,7 @@ TEST_F(ProjectionStep, LeavesValidHalos)
 {
     FluidState s(g);
     s.u = support::random_velocity(g, random);
-    Projection(g, fluid, {}).project(s, dt);
+    Projection(g, fluid, {}).project(s, 0, dt);
     VectorField filled = s.u;
     fill_velocity_halo(g, filled);
     ScalarField P = s.P;

@@ -234,5 +234,29 @@ TEST_P(Damage, WholeFileWithAnythingElseInItIsReadOrRefused)
 INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::ValuesIn(kinds),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
+TEST(CheckpointDamage, WindowWithoutWholeNumbersOfStepsIsRefused)
+{
+    TemporaryDirectory directory;
+    const fs::path path = test::ExampleCheckpoint().write(directory.path());
+    for (const Real wrong : {1e300, -1e19, 0.5, std::nan("")}) {
+        const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+        const hid_t window = H5Dopen2(file, "/run/window", H5P_DEFAULT);
+        const hid_t space = H5Dget_space(window);
+        const std::vector<Real> values(
+            static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), wrong);
+        H5Dwrite(window, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        H5Sclose(space);
+        H5Dclose(window);
+        H5Fclose(file);
+        seal(path, checkpoint_seal);
+        try {
+            CheckpointFile(path).read_memory();
+            ADD_FAILURE() << wrong;
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find("whole number"), std::string::npos) << e.what();
+        }
+    }
+}
+
 } // namespace
 } // namespace starling

@@ -19,6 +19,8 @@ struct ExampleCheckpoint {
         for (auto& f : state.fluid.u.component) fill(f);
         for (auto& f : state.fluid.N_before.component) fill(f);
         fill(state.fluid.P);
+        for (auto& values : state.fluid.end_pressure)
+            for (Real& p : values) p = next += 0.1;
         state.fluid.dt_before = 0.01;
         for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
         for (Vec3& f : state.wall.support) f = {0, next += 0.1, -2 * next};

@@ -1,0 +1,38 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "flow/fluid_parameters.hpp"
+
+namespace starling {
+
+EndPressures DriveParameters::at(Real t) const
+{
+    const Real sine = t < ramp ? std::sin(pi / 2 * t / ramp) : 1;
+    const Real rise = sine * sine;
+    return {rise * (pressure_inlet + inlet_waveform(t)),
+            rise * (pressure_outlet + outlet_waveform(t)),
+            rise * (pressure_external + external_waveform(t))};
+}
+
+DriveParameters DriveParameters::widest() const
+{
+    return {pressure_inlet + inlet_waveform.highest(), pressure_outlet + outlet_waveform.highest(),
+            pressure_external + external_waveform.lowest()};
+}
+
+DriveParameters DriveParameters::narrowest() const
+{
+    return {pressure_inlet + inlet_waveform.lowest(), pressure_outlet + outlet_waveform.lowest(),
+            pressure_external + external_waveform.highest()};
+}
+
+Real DriveParameters::resolution() const
+{
+    constexpr Real steps_of_ramp = 25;
+    const Real rise = ramp > 0 ? ramp / steps_of_ramp : std::numeric_limits<Real>::infinity();
+    return std::min({inlet_waveform.resolution(), outlet_waveform.resolution(),
+                     external_waveform.resolution(), rise});
+}
+
+} // namespace starling
