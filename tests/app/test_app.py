@@ -310,11 +310,18 @@ def test_resume_ended(directory):
 COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacing=0.25", "--set",
             "vessel.rigid_outlet=0.55"]
 
+PULSATILE = [*COARSE, *(word for setting in (
+    "drive.ramp=1", "inlet_waveform.amplitude=300", "inlet_waveform.period=3",
+    "inlet_waveform.sine=[1, 0.3]", "external_waveform.amplitude=20", "external_waveform.times=[0, 1]",
+    "external_waveform.values=[0, 1]", "external_waveform.time_scale=1", "stop.steady_tolerance=")
+    for word in ("--set", setting))]
+
 
 def test_resume_anywhere(directory):
-    """An inflating and a collapsing tube, each stopped at ten random steps: the same bytes."""
+    """A tube that inflates, one that collapses and one that pulsates, each stopped at ten random
+    steps: the same bytes."""
     random.seed(int(os.environ.get("STARLING_SEED", "1")))
-    for name, case in (("inflation", COARSE), ("collapse", COLLAPSE)):
+    for name, case in (("inflation", COARSE), ("collapse", COLLAPSE), ("pulsatile", PULSATILE)):
         whole, parts = directory / (name + "_whole"), directory / name
         long = [*case, *FRAMES, "--set", "perturbation.amplitude=0.1", "--set", "perturbation.mode=3"]
         stops = sorted(random.sample(range(1, 160), 10)) + [160]
