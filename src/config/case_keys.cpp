@@ -72,6 +72,13 @@ std::vector<KeyRule> flow_keys()
         {"drive", "pressure_external", measure, "pressure outside the tube", pressure,
          any_pressure},
         {"drive",
+         "end_pressure",
+         choice,
+         "whether the pressure is that of the fluid on the face or of the reservoir it comes from",
+         none,
+         {},
+         {"static", "total"}},
+        {"drive",
          "ramp",
          measure,
          "time in which the drive rises from zero",
@@ -89,13 +96,13 @@ std::vector<KeyRule> flow_keys()
     };
 }
 
-/// A section for what is added to one of the pressures.
-std::vector<KeyRule> waveform_keys(std::string_view section)
+/// A section for what is added to a pressure or flow rate.
+std::vector<KeyRule> waveform_keys(std::string_view section, Quantity quantity)
 {
     using enum Kind;
     const Range factor = closed(-1e6, 1e6), instant = {.min = 0, .max = 1e12};
     return {
-        {section, "amplitude", measure, "what the shape is multiplied by", pressure,
+        {section, "amplitude", measure, "what the shape is multiplied by", quantity,
          closed(-1e12, 1e12)},
         {section, "period", measure, "time after which it repeats", Quantity::time, positive()},
         {section, "cosine", numbers, "cosine terms of a Fourier series, from the first harmonic",
@@ -107,6 +114,29 @@ std::vector<KeyRule> waveform_keys(std::string_view section)
         {section, "file", text, "CSV file with a header row and the columns time and value"},
         {section, "time_scale", measure, "unit of the times of a table", Quantity::time,
          positive()},
+    };
+}
+
+std::vector<KeyRule> inlet_flow_keys()
+{
+    return {{"inlet_flow", "mean", Kind::measure,
+             "flow rate at the inlet, to which a waveform is added", Quantity::flow_rate,
+             closed(-1e12, 1e12)}};
+}
+
+std::vector<KeyRule> windkessel_keys()
+{
+    using enum Kind;
+    const Range at_least_0{.min = 0};
+    return {
+        {"windkessel", "R1", measure, "resistance next to the outlet", Quantity::flow_resistance,
+         at_least_0},
+        {"windkessel", "R2", measure, "resistance behind the compliance", Quantity::flow_resistance,
+         positive()},
+        {"windkessel", "C", measure, "compliance between the resistances", Quantity::compliance,
+         at_least_0},
+        {"windkessel", "pressure_distal", measure, "pressure behind R2", pressure,
+         closed(-1e12, 1e12)},
     };
 }
 
@@ -298,9 +328,11 @@ const std::vector<KeyRule>& case_keys()
 {
     static const std::vector<KeyRule> rules = [] {
         std::vector<KeyRule> all = flow_keys();
-        for (const auto& part : {waveform_keys("inlet_waveform"), waveform_keys("outlet_waveform"),
-                                 waveform_keys("external_waveform"), wall_keys(),
-                                 perturbation_keys(), numerical_keys()})
+        for (const auto& part :
+             {waveform_keys("inlet_waveform", pressure), waveform_keys("outlet_waveform", pressure),
+              waveform_keys("external_waveform", pressure), inlet_flow_keys(),
+              waveform_keys("inlet_flow", Quantity::flow_rate), windkessel_keys(), wall_keys(),
+              perturbation_keys(), numerical_keys()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -7,6 +7,7 @@ starling_module(config
     nearest_name.cpp
     quantities.cpp
     read_case.cpp
+    read_drive.cpp
     read_scaling.cpp
     read_wall.cpp
     read_waveform.cpp

@@ -39,6 +39,8 @@ const std::vector<NamedQuantity>& quantities()
         {Quantity::rate, "a rate", {0, 0, -1}, {"1/s"}},
         {Quantity::density, "a density", {1, -3, 0}, {"kg/m^3"}},
         {Quantity::viscosity, "a viscosity", {1, -1, -1}, {"mPa s", "Pa s"}},
+        {Quantity::flow_resistance, "a flow resistance", {1, -4, -1}, {"Pa s/m^3", "mmHg s/ml"}},
+        {Quantity::compliance, "a compliance", {-1, 4, 2}, {"m^3/Pa", "ml/mmHg"}},
     };
     return table;
 }

@@ -7,42 +7,15 @@
 
 #include "config/case_values.hpp"
 #include "config/input_file.hpp"
+#include "config/read_drive.hpp"
 #include "config/read_scaling.hpp"
 #include "config/read_wall.hpp"
-#include "config/read_waveform.hpp"
 #include "config/shipped_cases.hpp"
 #include "config/validate.hpp"
 
 namespace starling {
 
 namespace {
-
-void read_drive(CaseValues& values, const Case& c, DriveParameters& drive)
-{
-    const bool inlet = values.given("drive.pressure_inlet");
-    const bool outlet = values.given("drive.pressure_outlet");
-    values.fill("drive.pressure_inlet", drive.pressure_inlet);
-    values.fill("drive.pressure_outlet", drive.pressure_outlet);
-    values.fill("drive.pressure_external", drive.pressure_external);
-    const std::string_view ratio = "drive.pressure_ratio";
-    if (values.system() == UnitSystem::si) {
-        if (!values.given(ratio)) // where it is given, it has been refused in favour of the inlet's
-            values.require("drive.pressure_inlet");
-        return;
-    }
-    if (!values.given(ratio)) {
-        if (!inlet) values.missing(ratio, "or give pressure_inlet");
-        return;
-    }
-    if (inlet && outlet) values.problem(ratio, "give it or both pressures, not all three");
-    if (!values.sound({ratio, "vessel.length", "fluid.reynolds"})) return;
-    const Real drop = values.number(ratio) * c.baseline_pressure_drop();
-    (inlet ? drive.pressure_outlet : drive.pressure_inlet) =
-        inlet ? drive.pressure_inlet - drop : drive.pressure_outlet + drop;
-    for (Real p : {drive.pressure_inlet, drive.pressure_outlet})
-        if (!case_key("drive.pressure_inlet").range.contains(p))
-            values.problem(ratio, fmt::format("gives a pressure of {:g}, which is too large", p));
-}
 
 void read_grid(CaseValues& values, const Case& c, GridParameters& g)
 {
@@ -135,12 +108,7 @@ Case read_case_text(std::string_view text, const std::string& name,
     c.title = values.text("title", "");
     read_reynolds(values, c.scaling, c.fluid.reynolds);
     read_wall(values, c);
-    read_drive(values, c, c.drive);
-    const auto folder = std::filesystem::path(name).parent_path();
-    c.drive.inlet_waveform = read_waveform(values, "inlet_waveform", folder);
-    c.drive.outlet_waveform = read_waveform(values, "outlet_waveform", folder);
-    c.drive.external_waveform = read_waveform(values, "external_waveform", folder);
-    values.fill("drive.ramp", c.drive.ramp);
+    read_drive(values, c, std::filesystem::path(name).parent_path());
     read_grid(values, c, c.grid);
     read_numerics(values, c);
     read_stop(values, c.drive.has_waveform(), c.stop);

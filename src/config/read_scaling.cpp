@@ -44,6 +44,19 @@ Real velocity_of_drop(CaseValues& values)
     return unknown;
 }
 
+/// 2 |Q|/(pi R_0^2), of the mean flow rate at the inlet or, without one, of its amplitude.
+Real velocity_of_flow(CaseValues& values)
+{
+    const std::string_view key =
+        values.given("inlet_flow.mean") ? "inlet_flow.mean" : "inlet_flow.amplitude";
+    if (!values.has(key) || !values.require("vessel.radius")) return unknown;
+    const long double r = values.si("vessel.radius"), Q = std::abs(values.si(key));
+    const long double velocity = 2 * Q / (static_cast<long double>(pi) * r * r);
+    if (velocity > 1e-20L && velocity < 1e20L) return static_cast<Real>(velocity);
+    values.missing("drive.velocity_scale", "it cannot be found from the flow rate");
+    return unknown;
+}
+
 } // namespace
 
 Scaling read_scaling(CaseValues& values)
@@ -55,7 +68,8 @@ Scaling read_scaling(CaseValues& values)
     if (values.has("drive.velocity_scale") && values.si("drive.velocity_scale") > 0)
         s.velocity = static_cast<Real>(values.si("drive.velocity_scale"));
     else if (!values.given("drive.velocity_scale"))
-        s.velocity = velocity_of_drop(values);
+        s.velocity =
+            values.has_section("inlet_flow") ? velocity_of_flow(values) : velocity_of_drop(values);
     values.set_scaling(s);
     return s;
 }

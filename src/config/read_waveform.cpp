@@ -71,6 +71,7 @@ public:
     Waveform read()
     {
         Waveform w;
+        if (!given_any()) return w;
         values_.require(key("amplitude"));
         values_.fill(key("amplitude"), w.amplitude);
         values_.fill(key("period"), w.period);
@@ -87,6 +88,11 @@ public:
     }
 
 private:
+    bool given_any() const
+    {
+        return given("amplitude") || given("period") || given("cosine") || given("sine") ||
+               given("times") || given("values") || given("file") || given("time_scale");
+    }
     std::string key(std::string_view name) const { return fmt::format("{}.{}", section_, name); }
     bool given(std::string_view name) const { return values_.given(key(name)); }
     void problem(std::string_view name, const std::string& what)
@@ -170,7 +176,6 @@ private:
 Waveform read_waveform(CaseValues& values, const std::string& section,
                        const std::filesystem::path& folder)
 {
-    if (!values.has_section(section)) return {};
     return WaveformReader(values, section, folder).read();
 }
 

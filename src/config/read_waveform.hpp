@@ -1,5 +1,5 @@
 #pragma once
-/// From the sections *_waveform to what they mean.
+/// From the keys of a waveform to what they mean.
 #include <filesystem>
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace starling {
 
-/// Reads one section; nothing where the file does not have it. A table's file is looked for in
-/// `folder`. Problems are collected in `values`.
+/// Reads them from one section; nothing where the file gives none of them. A table's file is looked
+/// for in `folder`. Problems are collected in `values`.
 Waveform read_waveform(CaseValues& values, const std::string& section,
                        const std::filesystem::path& folder);
 

@@ -21,6 +21,8 @@ Real Scaling::factor(Quantity q) const
     case Quantity::rate: return u / l;
     case Quantity::density: return density;
     case Quantity::viscosity: return density * u * l;
+    case Quantity::flow_resistance: return density * u / (l * l);
+    case Quantity::compliance: return l * l * l / p;
     }
     return 1;
 }
@@ -43,6 +45,8 @@ std::string Scaling::unit(Quantity q) const
     case Quantity::rate: return si ? "1/s" : "U_c/R_0";
     case Quantity::density: return si ? "kg/m^3" : "rho";
     case Quantity::viscosity: return si ? "Pa s" : "rho U_c R_0";
+    case Quantity::flow_resistance: return si ? "Pa s/m^3" : "rho U_c/R_0^2";
+    case Quantity::compliance: return si ? "m^3/Pa" : "R_0^3/(rho U_c^2)";
     }
     return "";
 }

@@ -22,7 +22,9 @@ enum class Quantity {
     shear_stress,
     rate, ///< rate: 1/time
     density,
-    viscosity
+    viscosity,
+    flow_resistance, ///< pressure over flow rate
+    compliance       ///< volume over pressure
 };
 
 /// Scales in SI; all 1 for dimensionless cases. Solver value times `factor` = value to print.

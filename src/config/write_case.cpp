@@ -101,11 +101,9 @@ void write_fluid(CaseWriter& w, const Case& c)
     w.number("theta", c.fluid.theta);
 }
 
-void write_waveform(CaseWriter& w, std::string_view section, const Waveform& f)
+void write_waveform_keys(CaseWriter& w, const Waveform& f, Quantity quantity)
 {
-    if (f.none()) return;
-    w.section(section);
-    w.measure("amplitude", f.amplitude, Quantity::pressure);
+    w.measure("amplitude", f.amplitude, quantity);
     if (f.period > 0) w.measure("period", f.period, Quantity::time);
     if (!f.cosine.empty()) w.numbers("cosine", f.cosine);
     if (!f.sine.empty()) w.numbers("sine", f.sine);
@@ -115,18 +113,48 @@ void write_waveform(CaseWriter& w, std::string_view section, const Waveform& f)
     w.numbers("values", f.values);
 }
 
+void write_waveform(CaseWriter& w, std::string_view section, const Waveform& f)
+{
+    if (f.none()) return;
+    w.section(section);
+    write_waveform_keys(w, f, Quantity::pressure);
+}
+
+void write_inlet_flow(CaseWriter& w, const InletFlow& flow)
+{
+    if (!flow.given) return;
+    w.section("inlet_flow");
+    w.measure("mean", flow.mean, Quantity::flow_rate);
+    if (!flow.waveform.none()) write_waveform_keys(w, flow.waveform, Quantity::flow_rate);
+}
+
+void write_windkessel(CaseWriter& w, const Windkessel& k)
+{
+    if (k.none()) return;
+    w.section("windkessel");
+    w.measure("R1", k.R1, Quantity::flow_resistance);
+    w.measure("R2", k.R2, Quantity::flow_resistance);
+    w.measure("C", k.C, Quantity::compliance);
+    w.measure("pressure_distal", k.distal, Quantity::pressure);
+}
+
 void write_drive(CaseWriter& w, const Case& c)
 {
+    const DriveParameters& d = c.drive;
     w.section("drive");
-    w.comment(fmt::format("Delta P/Delta P_0 = {:.6g}", c.pressure_ratio()));
-    w.measure("pressure_inlet", c.drive.pressure_inlet, Quantity::pressure);
-    w.measure("pressure_outlet", c.drive.pressure_outlet, Quantity::pressure);
-    w.measure("pressure_external", c.drive.pressure_external, Quantity::pressure);
-    if (c.drive.ramp > 0) w.measure("ramp", c.drive.ramp, Quantity::time);
+    if (d.gives_pressures())
+        w.comment(fmt::format("Delta P/Delta P_0 = {:.6g}", c.pressure_ratio()));
+    if (!d.inlet_flow.given) w.measure("pressure_inlet", d.pressure_inlet, Quantity::pressure);
+    w.measure("pressure_outlet", d.pressure_outlet, Quantity::pressure);
+    w.measure("pressure_external", d.pressure_external, Quantity::pressure);
+    if (d.gives_pressures()) w.text("end_pressure", d.total_pressure ? "total" : "static");
+    if (d.ramp > 0) w.measure("ramp", d.ramp, Quantity::time);
     if (c.scaling.si) w.scale("velocity_scale", c.scaling.velocity, Quantity::velocity);
-    write_waveform(w, "inlet_waveform", c.drive.inlet_waveform);
-    write_waveform(w, "outlet_waveform", c.drive.outlet_waveform);
-    write_waveform(w, "external_waveform", c.drive.external_waveform);
+    write_waveform(w, "inlet_waveform", d.inlet_waveform);
+    write_waveform(w, "outlet_waveform", d.outlet_waveform);
+    write_waveform(w, "external_waveform", d.external_waveform);
+    write_inlet_flow(w, d.inlet_flow);
+    write_windkessel(w, d.windkessel);
 }
 
 void write_vessel(CaseWriter& w, const Case& c)

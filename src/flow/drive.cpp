@@ -6,10 +6,24 @@
 
 namespace starling {
 
-EndPressures DriveParameters::at(Real t) const
+namespace {
+
+Real rise_at(Real t, Real ramp)
 {
     const Real sine = t < ramp ? std::sin(pi / 2 * t / ramp) : 1;
-    const Real rise = sine * sine;
+    return sine * sine;
+}
+
+} // namespace
+
+Real DriveParameters::inlet_flow_at(Real t) const
+{
+    return rise_at(t, ramp) * (inlet_flow.mean + inlet_flow.waveform(t));
+}
+
+EndPressures DriveParameters::at(Real t) const
+{
+    const Real rise = rise_at(t, ramp);
     return {rise * (pressure_inlet + inlet_waveform(t)),
             rise * (pressure_outlet + outlet_waveform(t)),
             rise * (pressure_external + external_waveform(t))};
@@ -32,7 +46,7 @@ Real DriveParameters::resolution() const
     constexpr Real steps_of_ramp = 25;
     const Real rise = ramp > 0 ? ramp / steps_of_ramp : std::numeric_limits<Real>::infinity();
     return std::min({inlet_waveform.resolution(), outlet_waveform.resolution(),
-                     external_waveform.resolution(), rise});
+                     external_waveform.resolution(), inlet_flow.waveform.resolution(), rise});
 }
 
 } // namespace starling

@@ -1,6 +1,6 @@
 #pragma once
 /// The pressure step: from u_hat to a divergence-free velocity.
-#include "flow/fluid_state.hpp"
+#include "flow/ends.hpp"
 #include "flow/poisson.hpp"
 
 namespace starling {
@@ -12,12 +12,15 @@ namespace starling {
 ///
 /// The pressures of the drive act at the time level at which diffusion acts, t + theta dt: second
 /// order in time with theta = 1/2. Where they change, phi takes the change on the end faces.
+/// Where the pressure at an end answers to the flow, it is that with which the flow after the step
+/// meets its condition.
 class Projection {
 public:
     Projection(const Grid& g, const FluidParameters& p, const DriveParameters& drive);
 
-    /// Takes shares other than `inside_share`: of the pressures inside and outside, 1 - share.
-    void set_inside_share(Array<Real> share) { inside_share_ = std::move(share); }
+    /// Shares other than `inside_share` of the pressures inside and outside on the end faces, and
+    /// what the faces count in the flow rates, see `Ends`.
+    void set_ends(Array<Real> inside_share, std::array<Array<Real>, 2> flow_weights);
 
     /// Makes s.u divergence-free and updates s.P; both with valid halos. The step begins at t.
     void project(FluidState& s, Real t, Real dt);
@@ -27,20 +30,15 @@ public:
     void initialise_pressure(FluidState& s);
 
 private:
-    /// Sets s.end_pressure and end_change_; returns whether anything changes.
-    bool change_end_pressure(FluidState& s, const EndPressures& to);
-    /// The share of the change in -dt grad phi, which the solver, with phi = 0 there, leaves out.
-    void push_on_end_faces(ScalarField& u, Real dt) const;
-    /// Turns a halo that is odd about the end faces into one that takes `values` there.
-    void add_end_values(ScalarField& field, const std::array<Array<Real>, 2>& values) const;
+    /// Solves Lap phi = 0 with phi = values on the end faces, whose halo carries twice these.
+    void solve_harmonic(ScalarField& phi);
+    void shape_answers();
 
     Grid grid_;
     Real theta_, viscous_; ///< theta, theta/Re
-    DriveParameters drive_;
+    Ends ends_;
     Poisson poisson_;
     ScalarField phi_;
-    Array<Real> inside_share_;
-    std::array<Array<Real>, 2> end_change_; ///< of the pressure on the end faces in this step
 };
 
 } // namespace starling

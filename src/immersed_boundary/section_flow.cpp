@@ -4,25 +4,12 @@
 
 namespace starling {
 
-namespace {
-
-/// Mean over a face of the velocity with the value u(i, j, k) in its centre, to fourth order.
-Real cell_mean(View<const Real> u, Index i, Index j, Index k)
-{
-    const Real neighbours = u(i, j - 1, k) + u(i, j + 1, k) + u(i, j, k - 1) + u(i, j, k + 1);
-    return u(i, j, k) + (neighbours - 4 * u(i, j, k)) / 24;
-}
-
-} // namespace
-
 SectionFlow::SectionFlow(const Grid& g, const Tube& tube)
-    : grid_(g), section_(tube), covered_(static_cast<std::size_t>(g.nz())),
-      integral_(static_cast<std::size_t>(g.nz()))
+    : grid_(g), section_(tube), covered_(static_cast<std::size_t>(g.nz()))
 {
 }
 
-/// Adds one sub-row's piece of the inside to the cells it crosses.
-void SectionFlow::add_span(View<const Real> u, Index i, Real y, Real z_begin, Real z_end)
+void SectionFlow::add_spans(Real y, Real z_begin, Real z_end)
 {
     const Real h = grid_.spacing().z, z0 = grid_.origin().z;
     const Real width = grid_.spacing().y / static_cast<Real>(sub_rows);
@@ -36,36 +23,61 @@ void SectionFlow::add_span(View<const Real> u, Index i, Real y, Real z_begin, Re
         if (high <= low) continue;
         const Real centre = 0.5 * (low + high);
         const auto [n, c] = bracket((centre - grid_.z(Location::u, 0)) / h, -1, grid_.nz());
-        const Real value = (1 - b) * ((1 - c) * u(i, j, n) + c * u(i, j, n + 1)) +
-                           b * ((1 - c) * u(i, j + 1, n) + c * u(i, j + 1, n + 1));
-        const Real area = width * (high - low);
-        covered_[static_cast<std::size_t>(k)] += area;
-        integral_[static_cast<std::size_t>(k)] += area * value;
+        spans_.push_back({k, j, n, b, c, width * (high - low)});
+        covered_[static_cast<std::size_t>(k)] += width * (high - low);
+    }
+}
+
+template <class Add>
+void SectionFlow::for_weights(const Array<Vec3>& x, Index i, Add add)
+{
+    const Real full = grid_.spacing().y * grid_.spacing().z;
+    const auto is_full = [&](Index k) {
+        return covered_[static_cast<std::size_t>(k)] > full * (1 - 1e-9);
+    };
+    section_.cut(x, grid_.x(Location::u, i));
+    for (Index j = 0; j < grid_.ny(); ++j) {
+        std::fill(covered_.begin(), covered_.end(), 0);
+        spans_.clear();
+        for (Index m = 0; m < sub_rows; ++m) {
+            const Real y = grid_.origin().y + grid_.spacing().y * (static_cast<Real>(j) +
+                                                                   (static_cast<Real>(m) + 0.5) /
+                                                                       static_cast<Real>(sub_rows));
+            const auto& z = section_.crossings(y);
+            for (std::size_t n = 0; n + 1 < z.size(); n += 2) add_spans(y, z[n], z[n + 1]);
+        }
+        // Mean over a whole face from its centre and the neighbours, to fourth order.
+        for (Index k = 0; k < grid_.nz(); ++k) {
+            if (!is_full(k)) continue;
+            add(j, k, full * 5 / 6);
+            for (Index d : {-1, 1}) {
+                add(j + d, k, full / 24);
+                add(j, k + d, full / 24);
+            }
+        }
+        for (const Span& s : spans_) {
+            if (is_full(s.k)) continue;
+            add(s.j, s.n, s.area * (1 - s.b) * (1 - s.c));
+            add(s.j, s.n + 1, s.area * (1 - s.b) * s.c);
+            add(s.j + 1, s.n, s.area * s.b * (1 - s.c));
+            add(s.j + 1, s.n + 1, s.area * s.b * s.c);
+        }
     }
 }
 
 Real SectionFlow::inside(const ScalarField& field, const Array<Vec3>& x, Index i)
 {
     const View<const Real> u = field.view();
-    const Real full = grid_.spacing().y * grid_.spacing().z;
-    section_.cut(x, grid_.x(Location::u, i));
     Real flow = 0;
-    for (Index j = 0; j < grid_.ny(); ++j) {
-        std::fill(covered_.begin(), covered_.end(), 0);
-        std::fill(integral_.begin(), integral_.end(), 0);
-        for (Index m = 0; m < sub_rows; ++m) {
-            const Real y = grid_.origin().y + grid_.spacing().y * (static_cast<Real>(j) +
-                                                                   (static_cast<Real>(m) + 0.5) /
-                                                                       static_cast<Real>(sub_rows));
-            const auto& z = section_.crossings(y);
-            for (std::size_t n = 0; n + 1 < z.size(); n += 2) add_span(u, i, y, z[n], z[n + 1]);
-        }
-        for (Index k = 0; k < grid_.nz(); ++k) {
-            const auto n = static_cast<std::size_t>(k);
-            flow += covered_[n] > full * (1 - 1e-9) ? full * cell_mean(u, i, j, k) : integral_[n];
-        }
-    }
+    for_weights(x, i, [&](Index j, Index k, Real weight) { flow += weight * u(i, j, k); });
     return flow;
+}
+
+Array<Real> SectionFlow::weights(const Array<Vec3>& x, Index i)
+{
+    Array<Real> sums(grid_.ny() * grid_.nz());
+    for_weights(x, i, [&](Index j, Index k, Real weight) { sums[j * grid_.nz() + k] += weight; });
+    return sums;
 }
 
 Real SectionFlow::total(const ScalarField& field, Index i) const

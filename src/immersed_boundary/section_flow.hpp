@@ -15,16 +15,29 @@ public:
     /// Flow rate inside the tube through face plane i (R_0^2 U_c).
     Real inside(const ScalarField& u, const Array<Vec3>& x, Index i);
 
+    /// The same as a sum of weight times u over the faces of the plane: ny x nz weights (R_0^2), z
+    /// fastest. The tube must keep a spacing from the sides of the box.
+    Array<Real> weights(const Array<Vec3>& x, Index i);
+
     /// Flow rate through the whole plane, inside and outside.
     Real total(const ScalarField& u, Index i) const;
 
 private:
-    void add_span(View<const Real> u, Index i, Real y, Real z_begin, Real z_end);
+    /// A piece of a sub-row inside a cell k: where u is taken in the cell of nodes from (j, n).
+    struct Span {
+        Index k, j, n;
+        Real b, c, area;
+    };
+    void add_spans(Real y, Real z_begin, Real z_end);
+    /// Calls add(j, k, weight) for all nodes that count, some several times.
+    template <class Add>
+    void for_weights(const Array<Vec3>& x, Index i, Add add);
 
     static constexpr Index sub_rows = 8;
     Grid grid_;
     CrossSection section_;
-    std::vector<Real> covered_, integral_; ///< per cell of the present row
+    std::vector<Real> covered_; ///< per cell of the present row
+    std::vector<Span> spans_;   ///< of the present row
 };
 
 /// Trilinear interpolation of a field at a point at least half a cell inside the box.

@@ -55,6 +55,15 @@ void for_numbers(Self& m, F f)
     f("step_factor", m.step_factor);
 }
 
+/// What the ends remember beside fields, by name.
+template <class Ends, class F>
+void for_end_values(Ends& ends, F f)
+{
+    f("inside_inlet", ends.inside[0]);
+    f("inside_outlet", ends.inside[1]);
+    f("windkessel", ends.stored);
+}
+
 /// The fields of the fluid, by name.
 template <class Fluid, class F>
 void for_fields(Fluid& fluid, F f)
@@ -85,14 +94,16 @@ void write_state(hdf5::File& file, const State& s)
     file.attribute("/state", "step", s.step);
     file.attribute("/state", "dt", s.dt);
     file.attribute("/state", "dt_before", s.fluid.dt_before);
+    for_end_values(s.fluid.ends,
+                   [&](const char* name, Real value) { file.attribute("/state", name, value); });
     for_fields(s.fluid, [&](const std::string& path, const ScalarField& f) {
         const auto v = f.values().span();
         file.write(path, {v.size()}, v, full);
     });
     for (std::size_t end = 0; end < 2; ++end)
         file.write(end_pressure_names[end],
-                   {static_cast<hsize_t>(s.fluid.end_pressure[end].size())},
-                   s.fluid.end_pressure[end].span(), full);
+                   {static_cast<hsize_t>(s.fluid.ends.pressure[end].size())},
+                   s.fluid.ends.pressure[end].span(), full);
     const hsize_t vertices = static_cast<hsize_t>(s.wall.x.size());
     file.write("/wall/x", {vertices, 3}, as_reals(s.wall.x), full);
     file.write("/wall/velocity", {vertices, 3}, as_reals(s.wall.velocity), full);
@@ -186,13 +197,13 @@ bool all_finite(std::span<const Real> values)
 
 bool is_finite(const State& s)
 {
-    bool finite = std::isfinite(s.t) && std::isfinite(s.dt) && all_finite(as_reals(s.wall.x)) &&
-                  all_finite(as_reals(s.wall.velocity)) && all_finite(as_reals(s.wall.support)) &&
-                  all_finite(as_reals(s.wall.passing));
+    bool finite = std::isfinite(s.t) && std::isfinite(s.dt) && std::isfinite(s.fluid.ends.stored) &&
+                  all_finite(as_reals(s.wall.x)) && all_finite(as_reals(s.wall.velocity)) &&
+                  all_finite(as_reals(s.wall.support)) && all_finite(as_reals(s.wall.passing));
     for_fields(s.fluid, [&](const std::string&, const ScalarField& f) {
         finite = finite && all_finite(f.values().span());
     });
-    for (const Array<Real>& values : s.fluid.end_pressure)
+    for (const Array<Real>& values : s.fluid.ends.pressure)
         finite = finite && all_finite(values.span());
     return finite;
 }
@@ -237,11 +248,14 @@ void CheckpointFile::read(State& s) const
         s.step = file.index_attribute("/state", "step");
         s.dt = file.real_attribute("/state", "dt");
         s.fluid.dt_before = file.real_attribute("/state", "dt_before");
+        for_end_values(s.fluid.ends, [&](const char* name, Real& value) {
+            value = file.real_attribute("/state", name);
+        });
         for_fields(s.fluid, [&](const std::string& path, ScalarField& f) {
             file.read(path, std::span(f.values().data(), f.values().span().size()));
         });
         for (std::size_t end = 0; end < 2; ++end) {
-            Array<Real>& values = s.fluid.end_pressure[end];
+            Array<Real>& values = s.fluid.ends.pressure[end];
             file.read(end_pressure_names[end],
                       std::span(values.data(), static_cast<std::size_t>(values.size())));
         }

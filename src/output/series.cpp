@@ -13,6 +13,8 @@ std::span<const Column<Sample>> sample_columns()
         {"Q_mid", flow_rate, &Sample::Q_mid, "flow rate inside the tube half way"},
         {"Q_out", flow_rate, &Sample::Q_out, "flow rate inside the tube at x = L"},
         {"Q_exterior", flow_rate, &Sample::Q_exterior, "flow rate outside the tube half way"},
+        {"P_in", pressure, &Sample::P_in, "pressure at the inlet inside the tube"},
+        {"P_out", pressure, &Sample::P_out, "pressure at the outlet inside the tube"},
         {"dV_dt", flow_rate, &Sample::dV_dt, "rate of change of the enclosed volume"},
         {"leak", flow_rate, &Sample::leak, "flow through the wall: dV_dt - (Q_in - Q_out)"},
         {"volume", volume, &Sample::volume, "volume enclosed by the wall"},

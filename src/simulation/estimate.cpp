@@ -72,7 +72,8 @@ Real expected_time_to_steady(const Case& c, Real tolerance)
 bool may_collapse(const Case& c)
 {
     const DriveParameters d = c.drive.narrowest();
-    return !c.tube.rigid && std::min(d.pressure_inlet, d.pressure_outlet) < d.pressure_external;
+    return !c.tube.rigid && d.gives_pressures() &&
+           std::min(d.pressure_inlet, d.pressure_outlet) < d.pressure_external;
 }
 
 RunEstimate estimate_run(const Case& c)

@@ -105,7 +105,7 @@ void warn_of_draining(Warnings& found, const Case& c, const RunEstimate& e)
 
 Prediction predict(const Case& c)
 {
-    if (may_collapse(c)) return {};
+    if (may_collapse(c) || !c.drive.gives_pressures()) return {};
     try {
         return {solve_one_dimensional({c.tube, c.material, c.fluid, c.drive.widest()}), ""};
     } catch (const NumericalError& e) {

@@ -272,7 +272,7 @@ private:
 
 bool has_theory(const Case& c)
 {
-    return !c.drive.has_waveform() &&
+    return !c.drive.has_waveform() && c.drive.gives_pressures() &&
            (c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds));
 }
 

@@ -123,6 +123,8 @@ Sample Monitor::sample(const State& s)
     a.Q_mid = section_flow_.inside(u, x, grid_.nx() / 2);
     a.Q_out = section_flow_.inside(u, x, grid_.nx());
     a.Q_exterior = section_flow_.total(u, grid_.nx() / 2) - a.Q_mid;
+    a.P_in = s.fluid.ends.inside[0];
+    a.P_out = s.fluid.ends.inside[1];
     a.dV_dt = volume_rate(s);
     a.leak = a.dV_dt - (a.Q_in - a.Q_out);
     a.volume = enclosed_volume(*tube_, x);

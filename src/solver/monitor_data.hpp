@@ -16,6 +16,7 @@ struct Sample {
     Real dt = 0;
     Real Q_in = 0, Q_mid = 0, Q_out = 0; ///< flow rate inside the tube: x = 0, middle, x = L
     Real Q_exterior = 0;                 ///< flow rate outside the tube in the middle plane
+    Real P_in = 0, P_out = 0;            ///< pressures at the ends inside the tube, of the drive
     Real dV_dt = 0;                      ///< change of the enclosed volume
     Real leak = 0;                       ///< dV/dt - (Q_in - Q_out)
     Real volume = 0;

@@ -4,6 +4,7 @@
 #include "flow/momentum.hpp"
 #include "flow/projection.hpp"
 #include "immersed_boundary/coupling.hpp"
+#include "immersed_boundary/section_flow.hpp"
 #include "wall/bending_force.hpp"
 #include "wall/contact.hpp"
 #include "wall/elastic_force.hpp"
@@ -55,7 +56,10 @@ struct Operators {
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
           smoothing(tube, wall.smoothing), filter(tube, wall.filter_rate)
     {
-        projection.set_inside_share(coupling.inside_share());
+        SectionFlow section_flow(g, tube);
+        const Array<Vec3> at_rest = WallState(tube).x;
+        projection.set_ends(coupling.inside_share(), {section_flow.weights(at_rest, 0),
+                                                      section_flow.weights(at_rest, g.nx())});
     }
     Operators(const Operators&) = delete;
     Operators& operator=(const Operators&) = delete;

@@ -509,5 +509,20 @@ TEST(BadCases, ADriveWithAWaveformIsNeverSteady)
     EXPECT_EQ(problems[0].key, "stop.end_time");
 }
 
+TEST(BadCases, EndsThatAreGivenTwice)
+{
+    const std::string flow = std::string(good_case) + "[inlet_flow]\nmean = 1.0\n";
+    EXPECT_TRUE(holds(problems_of(flow), 7, "drive.pressure_ratio", "the inlet has a flow rate"));
+    const std::string none = changed(good_case, "pressure_ratio = 1.5\n", "") + "[inlet_flow]\n";
+    EXPECT_TRUE(holds(problems_of(none), 27, "inlet_flow.mean", "or give a waveform"));
+    const std::string windkessel = std::string(good_case) + "[windkessel]\nR1 = 1.0\nR2 = 0.0\n";
+    const auto problems = problems_of(windkessel);
+    EXPECT_TRUE(holds(problems, 7, "drive.pressure_ratio", "follows from [windkessel]"));
+    EXPECT_TRUE(holds(problems, 28, "windkessel.C", "is missing"));
+    EXPECT_TRUE(holds(problems, 30, "windkessel.R2", "greater than 0"));
+    EXPECT_TRUE(holds(problems_of(windkessel + "C = 1.0\n[outlet_waveform]\namplitude = 1.0\n"), 33,
+                      "outlet_waveform.amplitude", "leave it out"));
+}
+
 } // namespace
 } // namespace starling

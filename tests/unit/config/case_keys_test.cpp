@@ -53,7 +53,7 @@ TEST(CaseKeys, AreUnique)
 {
     std::set<std::string> names;
     for (const KeyRule& rule : case_keys()) EXPECT_TRUE(names.insert(rule.name()).second);
-    EXPECT_EQ(case_sections().size(), 14U);
+    EXPECT_EQ(case_sections().size(), 16U);
 }
 
 TEST(Range, HoldsItsBoundsUnlessTheyAreOpen)

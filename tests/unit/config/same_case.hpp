@@ -39,9 +39,13 @@ inline std::vector<std::uint64_t> bits(const Case& c)
     maybe(c.perturbation.mode);
     integer(c.perturbation.seed);
     for (const auto& x : {c.stop.steps, c.checkpoint.steps}) maybe(x);
-    real(c.drive.ramp);
+    const DriveParameters& d = c.drive;
+    for (Real x : {d.ramp, d.inlet_flow.mean, d.windkessel.R1, d.windkessel.R2, d.windkessel.C,
+                   d.windkessel.distal})
+        real(x);
+    for (bool flag : {d.inlet_flow.given, d.total_pressure}) integer(flag);
     for (const Waveform* w :
-         {&c.drive.inlet_waveform, &c.drive.outlet_waveform, &c.drive.external_waveform}) {
+         {&d.inlet_waveform, &d.outlet_waveform, &d.external_waveform, &d.inlet_flow.waveform}) {
         real(w->amplitude);
         real(w->period);
         for (const auto* numbers : {&w->cosine, &w->sine, &w->times, &w->values}) {

@@ -72,6 +72,27 @@ TEST(WriteCase, ReadsADriveThatChangesInTimeBackToTheSameBits)
     }
 }
 
+TEST(WriteCase, ReadsEndsThatAnswerToTheFlowBackToTheSameBits)
+{
+    const std::vector<std::string> windkessel = {"windkessel.R1=0.31", "windkessel.R2=2.7",
+                                                 "windkessel.C=0.13",
+                                                 "windkessel.pressure_distal=-0.7"};
+    std::vector<std::string> flow = {"inlet_flow.mean=0.3", "inlet_flow.amplitude=1.3",
+                                     "inlet_flow.period=0.7", "inlet_flow.sine=[1, 0.1]"};
+    expect_round_trip(read_case_text(good_case, "good", {"drive.end_pressure=total"}));
+    expect_round_trip(
+        read_case_text(test::changed(good_case, "pressure_ratio = 1.5", "pressure_inlet = 7.1"),
+                       "good", windkessel));
+    flow.insert(flow.end(), windkessel.begin(), windkessel.end());
+    expect_round_trip(
+        read_case_text(test::changed(good_case, "pressure_ratio = 1.5\n", ""), "good", flow));
+    expect_round_trip(
+        read_case_text(test::changed(good_si_case, "pressure_inlet = \"50 Pa\"\n", ""), "good",
+                       {"inlet_flow.mean=3.1 ul/min", "windkessel.R1=1.7e12 Pa s/m^3",
+                        "windkessel.R2=0.9 mmHg s/ml", "windkessel.C=1.3e-15 m^3/Pa",
+                        "windkessel.pressure_distal=1.1 mmHg", "drive.pressure_outlet=2 Pa"}));
+}
+
 TEST(WriteCase, ReadsAPerturbationBackToTheSameBits)
 {
     for (const char* choice : {"perturbation.mode=3", "perturbation.seed=7"}) {

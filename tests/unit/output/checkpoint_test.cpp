@@ -68,8 +68,10 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
         EXPECT_EQ(a.intercept.outside, b.intercept.outside);
     }
     EXPECT_TRUE(same_bytes(read.fluid.P.values(), s.fluid.P.values()));
+    EXPECT_EQ(read.fluid.ends.inside, s.fluid.ends.inside);
+    EXPECT_EQ(read.fluid.ends.stored, s.fluid.ends.stored);
     for (std::size_t end = 0; end < 2; ++end)
-        EXPECT_TRUE(same_bytes(read.fluid.end_pressure[end], s.fluid.end_pressure[end]));
+        EXPECT_TRUE(same_bytes(read.fluid.ends.pressure[end], s.fluid.ends.pressure[end]));
     EXPECT_TRUE(same_bytes(read.wall.x, s.wall.x));
     EXPECT_TRUE(same_bytes(read.wall.velocity, s.wall.velocity));
     EXPECT_TRUE(same_bytes(read.wall.support, s.wall.support));

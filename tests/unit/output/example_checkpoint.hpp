@@ -19,7 +19,9 @@ struct ExampleCheckpoint {
         for (auto& f : state.fluid.u.component) fill(f);
         for (auto& f : state.fluid.N_before.component) fill(f);
         fill(state.fluid.P);
-        for (auto& values : state.fluid.end_pressure)
+        state.fluid.ends.inside = {1.5, 2.5};
+        state.fluid.ends.stored = 3.5;
+        for (auto& values : state.fluid.ends.pressure)
             for (Real& p : values) p = next += 0.1;
         state.fluid.dt_before = 0.01;
         for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
