@@ -15,14 +15,16 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
 {
     const Real Re = c.fluid.reynolds, theta = c.fluid.theta, safety = c.time.safety;
     std::vector<TimeStepLimit> limits;
-    // Explicit elastic force against implicit viscosity: stable up to about 16 eps Delta
-    // (theta = 1) and 5 eps Delta (theta = 1/2) at low Re; half of that. The narrower B-splines
-    // feel shorter, stiffer waves: with them the wall begins to tremble at 8 eps Delta.
+    // Explicit elastic force on waves as long as the grid resolves, against implicit viscosity:
+    // stable up to about 16 eps Delta (theta = 1) and 5 eps Delta (theta = 1/2) at low Re; half of
+    // that. The narrower B-splines feel shorter, stiffer waves: with them the wall begins to
+    // tremble at 8 eps Delta. At higher Re inertia carries the waves: stable up to
+    // 1.1 sqrt(Re eps Delta^3), for theta = 1/2 too; 0.6 of that. Between, the squares add up.
     if (!c.tube.rigid) {
         const Real narrow = c.coupling.scheme == CouplingScheme::conserving ? 0.625 : 1;
-        const Real scheme = theta > 0.75 ? 1 : 2.5 / 8;
-        limits.push_back(
-            {"membrane stiffness", safety * narrow * scheme * grid_wave_time(c, spacing)});
+        const Real viscous = narrow * (theta > 0.75 ? 1 : 2.5 / 8) * grid_wave_time(c, spacing);
+        const Real inertial = 0.65 * std::sqrt(Re * c.material.eps * spacing * spacing * spacing);
+        limits.push_back({"membrane stiffness", safety * std::hypot(viscous, inertial)});
     }
     // Explicit bending force: the shortest waves of the mesh are the stiffest. Stable up to
     // 22 eps l^3/B (theta = 1) and 3.5 eps l^3/B (theta = 1/2) for edges l of 0.65 to 1 spacing;
