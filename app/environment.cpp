@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <strings.h>
 #include <unistd.h>
 
 namespace starling::app {
@@ -35,10 +36,13 @@ fs::path find_tool(const std::string& name)
 
 } // namespace
 
-void wait_passively(char** argv)
+void wait_briefly(char** argv)
 {
-    if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+    const char* policy = std::getenv("OMP_WAIT_POLICY");
+    if (policy != nullptr && strcasecmp(policy, "passive") != 0) return;
+    if (policy != nullptr && std::getenv("GOMP_SPINCOUNT") != nullptr) return;
     setenv("OMP_WAIT_POLICY", "passive", 1);
+    setenv("GOMP_SPINCOUNT", "1000", 0);
     execv(own_program, argv); // returns only where it fails; then threads spin, no more
 }
 

@@ -24,7 +24,7 @@ int report(int exit_code, const char* what)
 int main(int argc, char** argv)
 {
     using namespace starling;
-    app::wait_passively(argv);
+    app::wait_briefly(argv);
     try {
         const app::CommandLine line = app::parse(argc, argv);
         app::execute(line);
