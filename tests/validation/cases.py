@@ -69,5 +69,11 @@ THREADS = {n: inflation(1.5, threads=n, stop__steps=200) for n in (1, 2)}
 SCHEMES = {(scheme, d): inflation(1, spacing=d, coupling__scheme=scheme)
            for d in (0.13, 0.1) for scheme in ("printed", "reaction", "conserving")}
 
+# Womersley numbers; the longer transient of the third needs more periods.
+WOMERSLEY = {alpha: make_run(f"womersley-a{alpha}", "cases/womersley.toml",
+                             fluid__reynolds=alpha**2,
+                             stop__end_time=round(2 * math.pi * (2 + alpha), 6))
+             for alpha in (1, 2, 3)}
+
 FILTERS = {(ratio, s): inflation(ratio, spacing=0.13, wall__mesh_filter=s)
            for ratio in (1, 3) for s in (0, 0.25, 0.5, 1)}

@@ -4,6 +4,7 @@ import measures
 from measures import Q_0
 from report import percent
 from runs import sha256
+from womersley import Womersley
 
 
 class Section:
@@ -145,6 +146,20 @@ def refinement(report, get):
             + (f"observed order {p:.1f}." if p else "no single order fits them."))
 
 
+def womersley(report, get):
+    def row(alpha, r):
+        w = Womersley(r)
+        case = f"alpha = {alpha}"
+        return [alpha, report.at_most(f"{case}: amplitude", w.amplitude_error, 0.01),
+                report.check(f"{case}: phase", abs(w.phase_error) <= 1,
+                             f"{w.phase_error:.2f} degrees (≤ 1)"), percent(w.leak), r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["alpha", "amplitude of Q", "phase of Q", "leak over the amplitude", "steps",
+              "seconds"]
+    report.table(header, rows(cases.WOMERSLEY, get, len(header), row))
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -236,6 +251,9 @@ SECTIONS = [
     Section("refinement", "Grid refinement at ratio 1", values(cases.REFINEMENT),
             "As in the section on inflation, but with a rigid outlet of 0.4, which the coarsest "
             "grid needs.", refinement),
+    Section("womersley", "Womersley flow", values(cases.WOMERSLEY),
+            "`cases/womersley.toml`, spacing 0.1: first harmonic of Q half way over the last period "
+            "against Womersley's solution.", womersley),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
             "200 steps at ratio 1.5, spacing 0.1.", threads),
     Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),

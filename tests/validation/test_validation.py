@@ -14,7 +14,8 @@ import tempfile
 
 import cases
 import measures
-from runs import SOURCE, Runner
+from runs import SOURCE, Runner, make_run
+from womersley import Womersley
 
 PROGRAM, SCENARIO = sys.argv[1:3]
 failures = []
@@ -67,6 +68,15 @@ def test_inflation(directory):
         expect("leak over Q", r["leak_over_Q"], -leak, leak)
 
 
+def test_womersley(directory):
+    """Amplitude and phase of the flow in a rigid tube whose inlet pressure swings."""
+    run = make_run("womersley", "cases/womersley.toml", grid__spacing=0.2, time__step=0.02)
+    w = Womersley(result_of(run, directory))
+    expect("amplitude", w.amplitude_error, -0.01, 0.01)  # 0.0056
+    expect("phase in degrees", w.phase_error, 0, 2)  # 1.33
+    expect("leak over the amplitude", w.leak, 0, 0.035)  # 0.018
+
+
 def test_laws(directory):
     """The softer the law, the wider the tube: neo-Hookean > Mooney-Rivlin > Hooke > Skalak."""
     coarse = dict(spacing=0.2, eps=0.01, vessel__rigid_outlet=0.55, end_time=15,
@@ -89,7 +99,7 @@ def test_tool(directory):
     page = pathlib.Path(directory) / "page.md"
     command = [sys.executable, str(SOURCE / "tools" / "validate"), "--binary", PROGRAM, "--out",
                directory, "--threads", "1", "--quick", "--keep", "--write", str(page), "--only",
-               "rigid", "inflation", "laws", "refinement", "threads", "schemes", "filter", "speed"]
+               "rigid", "inflation", "laws", "refinement", "womersley", "threads", "schemes", "filter", "speed"]
     first = subprocess.run(command, capture_output=True, text=True, check=False)
     again = subprocess.run(command, capture_output=True, text=True, check=False)
     text = page.read_text(encoding="utf-8")
