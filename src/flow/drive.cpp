@@ -21,6 +21,18 @@ Real DriveParameters::inlet_flow_at(Real t) const
     return rise_at(t, ramp) * (inlet_flow.mean + inlet_flow.waveform(t));
 }
 
+Real DriveParameters::distal_pressure_at(Real t) const
+{
+    return rise_at(t, ramp) * windkessel.distal;
+}
+
+Real DriveParameters::largest_inlet_flow() const
+{
+    const InletFlow& q = inlet_flow;
+    return std::max(std::abs(q.mean + q.waveform.lowest()),
+                    std::abs(q.mean + q.waveform.highest()));
+}
+
 EndPressures DriveParameters::at(Real t) const
 {
     const Real rise = rise_at(t, ramp);

@@ -124,7 +124,8 @@ void Ends::answer(EndState& ends, const ScalarField& u_hat, Real t, Real dt, Sca
     const auto [H_in, H_out] = other_conductance_;
     const Windkessel& w = drive_.windkessel;
     const Real memory = w.C * w.R2 / dt, b = w.R1 + w.R2 / (1 + memory);
-    const Real a = (memory * ends.stored + w.distal) / (1 + memory);
+    const Real distal = drive_.distal_pressure_at(t);
+    const Real a = (memory * ends.stored + distal) / (1 + memory);
     // rows of the two equations for (d, e); an end that does not answer keeps its pressure
     const bool inlet = inlet_answers(), outlet = outlet_answers();
     const Real A00 = inlet ? dt * G_in : 1, A01 = inlet ? -dt * H_in : 0;
@@ -135,7 +136,7 @@ void Ends::answer(EndState& ends, const ScalarField& u_hat, Real t, Real dt, Sca
     const Real d = (r0 * A11 - A01 * r1) / determinant, e = (A00 * r1 - A10 * r0) / determinant;
     if (outlet) {
         const Real Q_out = q_out + dt * (H_out * d - G_out * e);
-        ends.stored = (memory * ends.stored + w.R2 * Q_out + w.distal) / (1 + memory);
+        ends.stored = (memory * ends.stored + w.R2 * Q_out + distal) / (1 + memory);
     }
     add_answer(ends, {d, e}, phi);
 }
@@ -149,7 +150,7 @@ void Ends::add_answer(EndState& ends, const std::array<Real, 2>& more, ScalarFie
     const View<Real> f = phi.view();
     const View<const Real> unit = std::as_const(unit_).view();
     const Index nx = grid_.nx(), ny = grid_.ny(), nz = grid_.nz();
-    const auto [d, e] = more;
+    const Real d = more[0], e = more[1];
     for_planes(-1, nx + 1, [=](Index i) {
         for (Index j = -1; j <= ny; ++j) {
             Real* row = &f(i, j, 0);

@@ -56,6 +56,10 @@ struct DriveParameters {
     EndPressures at(Real t) const;
     /// The flow rate that is asked of the inlet.
     Real inlet_flow_at(Real t) const;
+    /// The pressure behind the Windkessel.
+    Real distal_pressure_at(Real t) const;
+    /// The largest size that flow rate has.
+    Real largest_inlet_flow() const;
     /// The steady drives that widen and narrow the tube at least as much as this one ever does.
     DriveParameters widest() const;
     DriveParameters narrowest() const;

@@ -63,6 +63,7 @@ struct Momentum::InPlane {
     DiffusionLine line_y;
     const EliminatedLine& free_line_y;
     const PeriodicLines& line_z;
+    AdvectionAtEnd<C> inlet, outlet;
 
     void operator()(Index i, Real* scratch) const
     {
@@ -70,6 +71,8 @@ struct Momentum::InPlane {
         const Index first = prescribed.plane_begin[static_cast<std::size_t>(i)];
         const Index last = prescribed.plane_begin[static_cast<std::size_t>(i + 1)];
         add_explicit_terms(i);
+        if (i == 0) add_advection_at(inlet);
+        if (i + 1 == box.end[0]) add_advection_at(outlet);
         prescribe(first, last);
         solve_y(i, first == last, scratch);
         solve_z(i, scratch);
@@ -83,6 +86,18 @@ private:
             const Index row = plane_terms.rhs.offset(i, j, 0), nz = box.end[2];
 #pragma omp simd
             for (Index k = 0; k < nz; ++k) plane_terms(row + k);
+        }
+    }
+    void add_advection_at(const AdvectionAtEnd<C>& end) const
+    {
+        const Index i = end.inwards > 0 ? 0 : box.end[0] - 1;
+        for (Index j = box.begin[1]; j < box.end[1]; ++j) {
+            const Index row = terms.rhs.offset(i, j, 0);
+            for (Index n = row; n < row + box.end[2]; ++n) {
+                const Real N = end(n);
+                terms.rhs.data[n] -= terms.dt * terms.weight * N;
+                terms.N_before.data[n] += N;
+            }
         }
     }
     void prescribe(Index first, Index last) const
@@ -137,7 +152,9 @@ Momentum::InPlane<C> Momentum::in_plane(FluidState& s, VectorField& rhs,
             grid_.unknowns(C),
             line_y,
             free_line_y,
-            line_z_};
+            line_z_,
+            {grid_, s.u, true},
+            {grid_, s.u, false}};
 }
 
 void Momentum::solve_planes(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed,

@@ -6,6 +6,8 @@
 ///  u(i)  >  P(i,j) >  u(i+1)      u, v, w sit on the low faces of their cell
 ///        +----^----+
 ///          v(i,j)
+#include <algorithm>
+
 #include "grid/field.hpp"
 
 namespace starling {
@@ -71,6 +73,35 @@ private:
         const Real* f = c.data + n;
         const Real* a = u_d.data + n;
         return (f[0] + f[d]) * (a[d] + a[d - back]) - (f[-d] + f[0]) * (a[0] + a[-back]);
+    }
+};
+
+/// What `Advection` lacks at the nodes next to an end face x = 0 or L. On the face, where the halo,
+/// even about it, has a divergence of its own, u div(u) is taken out, and u du/dx is upwind where
+/// fluid leaves the box and none where it enters. What enters brings no v and no w. Deviation:
+/// docs/numerics.md, "The ends".
+template <Location C>
+struct AdvectionAtEnd {
+    View<const Real> c, u;
+    Index inwards;   ///< from a node to its neighbour further from the face
+    Index face;      ///< from a node of v or w to the u-face at the end
+    Real outwards_h; ///< 1/spacing, negative at the inlet: the sign of a velocity that leaves
+
+    AdvectionAtEnd(const Grid& g, const VectorField& f, bool inlet)
+        : c(f[C].view()), u(f[Location::u].view()), inwards(inlet ? c.stride_x : -c.stride_x),
+          face(inlet ? 0 : c.stride_x), outwards_h((inlet ? -1 : 1) / g.spacing().x)
+    {
+    }
+    Real operator()(Index n) const
+    {
+        if constexpr (C == Location::u) {
+            const Real leaving = c.data[n] * outwards_h;
+            return (leaving + std::max(leaving, Real{0})) * (c.data[n] - c.data[n + inwards]);
+        } else {
+            const Real* at_face = u.data + n + face;
+            const Real leaving = (at_face[0] + at_face[-c.stride(axis(C))]) / 2 * outwards_h;
+            return std::max(-leaving, Real{0}) * c.data[n];
+        }
     }
 };
 

@@ -116,6 +116,8 @@ Prediction predict(const Case& c)
 
 Real expected_speed(const Case& c, const Prediction& prediction)
 {
+    if (c.drive.inlet_flow.given)
+        return c.drive.largest_inlet_flow() / poiseuille::baseline_flow_rate;
     if (!prediction.tube) return std::abs(c.pressure_ratio());
     return std::abs(prediction.tube->Q) / poiseuille::baseline_flow_rate;
 }

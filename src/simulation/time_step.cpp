@@ -26,14 +26,16 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
         const Real inertial = 0.65 * std::sqrt(Re * c.material.eps * spacing * spacing * spacing);
         limits.push_back({"membrane stiffness", safety * std::hypot(viscous, inertial)});
     }
-    // Explicit bending force: the shortest waves of the mesh are the stiffest. Stable up to
-    // 22 eps l^3/B (theta = 1) and 3.5 eps l^3/B (theta = 1/2) for edges l of 0.65 to 1 spacing;
-    // half of that, as it adds to the membrane's stiffness.
+    // Explicit bending force: the shortest waves of the mesh are the stiffest. Against viscosity
+    // stable up to 22 eps l^3/B (theta = 1) and 3.5 eps l^3/B (theta = 1/2) for edges l of 0.65 to
+    // 1 spacing, against inertia up to 1.65 sqrt(Re eps l^3 Delta^2/B); half of that, as it adds to
+    // the membrane's stiffness.
     if (!c.tube.rigid && c.material.bending > 0) {
         const Real edge = c.tube.edge_over_spacing * spacing;
-        limits.push_back({"bending stiffness", safety * (theta > 0.75 ? 11 : 1.75) *
-                                                   c.material.eps * edge * edge * edge /
-                                                   c.material.bending});
+        const Real softness = c.material.eps * edge * edge * edge / c.material.bending;
+        const Real viscous = (theta > 0.75 ? 11 : 1.75) * softness;
+        const Real inertial = 0.8 * spacing * std::sqrt(Re * softness);
+        limits.push_back({"bending stiffness", safety * std::hypot(viscous, inertial)});
     }
     // Explicit surface diffusion: stable up to 0.8 l^4/alpha.
     if (!c.tube.rigid && c.tube.smoothing > 0) {

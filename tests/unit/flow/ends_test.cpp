@@ -109,6 +109,19 @@ TEST_F(EndsStep, WindkesselWithoutComplianceIsAResistance)
     EXPECT_NEAR(s.ends.inside[1], 0.2 + 2.5 * flow(s, g.nx()), 1e-12);
 }
 
+TEST_F(EndsStep, RampActsOnTheFlowRateAndOnTheDistalPressure)
+{
+    DriveParameters drive{.ramp = 4};
+    drive.inlet_flow = {true, 0.7, {}};
+    drive.windkessel = {.R1 = 0.5, .R2 = 2, .C = 0, .distal = 0.2};
+    Projection projection(g, fluid, drive);
+    FluidState s = random_state();
+    projection.initialise_pressure(s);
+    projection.project(s, 2 - dt, dt); // half way: sin^2 = 1/2
+    EXPECT_NEAR(flow(s, 0), 0.35, 1e-12);
+    EXPECT_NEAR(s.ends.inside[1], 0.1 + 2.5 * flow(s, g.nx()), 1e-12);
+}
+
 TEST_F(EndsStep, ReservoirGivesTheDynamicPressureToWhatEnters)
 {
     DriveParameters drive{3, 1, 0.5};

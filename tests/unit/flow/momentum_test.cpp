@@ -57,7 +57,30 @@ protected:
         N[Location::u] = advection<Location::u>(u);
         N[Location::v] = advection<Location::v>(u);
         N[Location::w] = advection<Location::w>(u);
+        for (Index end : {Index{0}, g.nx()}) add_advection_at(end, u, N);
         return N;
+    }
+    /// On the face less u div(u), and with u du/dx upwind where fluid leaves; what enters brings no
+    /// v, w.
+    void add_advection_at(Index end, const VectorField& velocity, VectorField& N) const
+    {
+        const ScalarField& u = velocity[Location::u];
+        const Real h = g.spacing().x, outwards = end == 0 ? -1 : 1;
+        const Index cell = end == 0 ? 0 : end - 1, inner = end == 0 ? 1 : end - 1;
+        support::visit({{end, 0, 0}, {end + 1, g.ny(), g.nz()}}, [&](Index i, Index j, Index k) {
+            const Real leaving = outwards * u(i, j, k), slope = (u(i, j, k) - u(inner, j, k)) / h;
+            N[Location::u](i, j, k) += (leaving > 0 ? 2 : 1) * leaving * slope;
+        });
+        support::visit({{end, 1, 0}, {end + 1, g.ny(), g.nz()}}, [&](Index i, Index j, Index k) {
+            const Real entering = -outwards * (u(i, j - 1, k) + u(i, j, k)) / 2;
+            if (entering > 0)
+                N[Location::v](cell, j, k) += entering * velocity[Location::v](cell, j, k) / h;
+        });
+        support::visit({{end, 0, 0}, {end + 1, g.ny(), g.nz()}}, [&](Index i, Index j, Index k) {
+            const Real entering = -outwards * (u(i, j, k - 1) + u(i, j, k)) / 2;
+            if (entering > 0)
+                N[Location::w](cell, j, k) += entering * velocity[Location::w](cell, j, k) / h;
+        });
     }
     /// (1 - theta dt/Re d^2/dx_d^2) f with the boundary conditions of component c.
     ScalarField implicit_operator(Location c, const ScalarField& f, int d) const
