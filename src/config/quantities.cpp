@@ -34,6 +34,7 @@ const std::vector<NamedQuantity>& quantities()
         {Quantity::pressure, "a pressure", {1, -1, -2}, {"Pa", "kPa", "MPa"}},
         {Quantity::force, "a force", {1, 1, -2}, {"nN", "uN", "mN", "N"}},
         {Quantity::energy, "an energy", {1, 2, -2}, {"nJ", "uJ", "mJ", "J"}},
+        {Quantity::power, "a power", {1, 2, -3}, {"nW", "uW", "mW", "W"}},
         {Quantity::surface_tension, "a force per length", {1, 0, -2}, {"uN/m", "mN/m", "N/m"}},
         {Quantity::shear_stress, "a pressure", {1, -1, -2}, {"Pa", "kPa", "MPa"}},
         {Quantity::rate, "a rate", {0, 0, -1}, {"1/s"}},

@@ -16,6 +16,7 @@ Real Scaling::factor(Quantity q) const
     case Quantity::pressure: return p;
     case Quantity::force: return p * l * l;
     case Quantity::energy: return p * l * l * l;
+    case Quantity::power: return p * u * l * l;
     case Quantity::surface_tension: return p * l;
     case Quantity::shear_stress: return p;
     case Quantity::rate: return u / l;
@@ -41,6 +42,7 @@ std::string Scaling::unit(Quantity q) const
     case Quantity::shear_stress: return si ? "Pa" : "rho U_c^2";
     case Quantity::force: return si ? "N" : "rho U_c^2 R_0^2";
     case Quantity::energy: return si ? "J" : "rho U_c^2 R_0^3";
+    case Quantity::power: return si ? "W" : "rho U_c^3 R_0^2";
     case Quantity::surface_tension: return si ? "N/m" : "rho U_c^2 R_0";
     case Quantity::rate: return si ? "1/s" : "U_c/R_0";
     case Quantity::density: return si ? "kg/m^3" : "rho";

@@ -18,6 +18,7 @@ enum class Quantity {
     pressure,
     force,
     energy,
+    power,
     surface_tension,
     shear_stress,
     rate, ///< rate: 1/time

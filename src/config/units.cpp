@@ -33,6 +33,7 @@ constexpr std::array unit_table = {
     Unit{"N", 1, {1, 1, -2}, true},
     Unit{"dyn", 1e-5L, {1, 1, -2}, false},
     Unit{"J", 1, {1, 2, -2}, true},
+    Unit{"W", 1, {1, 2, -3}, true},
     Unit{"Pa", 1, pressure_dimension, true},
     Unit{"bar", 1e5L, pressure_dimension, true},
     Unit{"atm", 101325, pressure_dimension, false},

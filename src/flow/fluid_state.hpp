@@ -24,6 +24,7 @@ struct FluidState {
     ScalarField P;
     VectorField N_before; ///< div(u u) of the previous step, at the faces
     Real dt_before = 0;   ///< previous time step; 0 before the first
+    Real kinetic_energy = 0, kinetic_energy_before = 0; ///< now and a step ago (rho U_c^2 R_0^3)
     EndState ends;
 
     explicit FluidState(const Grid& g) : u(g), P(g), N_before(g), ends(g) {}

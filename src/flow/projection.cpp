@@ -1,5 +1,7 @@
 #include "flow/projection.hpp"
 
+#include <utility>
+
 #include "grid/boundary.hpp"
 #include "grid/stencils.hpp"
 
@@ -7,7 +9,7 @@ namespace starling {
 
 Projection::Projection(const Grid& g, const FluidParameters& p, const DriveParameters& drive)
     : grid_(g), theta_(p.theta), viscous_(p.theta / p.reynolds), ends_(g, drive), poisson_(g),
-      phi_(g)
+      phi_(g), plane_sums_(g.nx() + 1)
 {
     if (ends_.answer_to_flow()) shape_answers();
 }
@@ -43,20 +45,35 @@ void Projection::solve_harmonic(ScalarField& phi)
 
 namespace {
 
-/// u_c -= dt d(phi)/dx_c at all unknowns of the component.
-void subtract_gradient(const Grid& g, Location c, ScalarField& field, const ScalarField& phi,
-                       Real dt)
+/// u_c -= dt d(phi)/dx_c at all unknowns of the component; the kinetic energy that it has then.
+Real subtract_gradient(const Grid& g, Location c, ScalarField& field, const ScalarField& phi,
+                       Real dt, Array<Real>& plane_sums)
 {
     const View<Real> u = field.view();
     const View<const Real> f = phi.view();
     const Index back = f.stride(axis(c));
     const Vec3 h = g.spacing();
     const Real scale = dt / (c == Location::u ? h.x : c == Location::v ? h.y : h.z);
-    for_each(g.unknowns(c), [=](Index i, Index j, Index k) {
-        const Real* p = &f(i, j, k);
-        u(i, j, k) -= scale * (p[0] - p[-back]);
+    const Box box = g.unknowns(c);
+    Real* squares = plane_sums.data();
+    for_planes(0, box.end[0], [=](Index i) {
+        Real sum = 0;
+        for (Index j = box.begin[1]; j < box.end[1]; ++j) {
+            Real* row = &u(i, j, 0);
+            const Real* p = &f(i, j, 0);
+#pragma omp simd reduction(+ : sum)
+            for (Index k = 0; k < box.end[2]; ++k) {
+                row[k] -= scale * (p[k] - p[k - back]);
+                sum += row[k] * row[k];
+            }
+        }
+        squares[i] = sum;
     });
     fill_velocity_halo(g, c, field);
+    Real sum = 0;
+    for (Index i = 0; i < box.end[0]; ++i) sum += squares[i];
+    if (c == Location::u) sum -= (squares[0] + squares[box.end[0] - 1]) / 2; // half cells
+    return sum * g.cell_volume() / 2;
 }
 
 } // namespace
@@ -71,7 +88,9 @@ void Projection::project(FluidState& s, Real t, Real dt)
     poisson_.solve([=](Index i, Index j, Index k) { return inv_dt * divergence_at_cell(i, j, k); },
                    phi_);
     if (ends_.answer_to_flow()) ends_.answer(s.ends, u, t + dt, dt, phi_);
-    for (Location c : components) subtract_gradient(grid_, c, s.u[c], phi_, dt);
+    s.kinetic_energy_before = std::exchange(s.kinetic_energy, 0);
+    for (Location c : components)
+        s.kinetic_energy += subtract_gradient(grid_, c, s.u[c], phi_, dt, plane_sums_);
     if (ends_change) ends_.add_change(phi_);
 
     const View<Real> P = s.P.view();

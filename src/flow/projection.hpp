@@ -22,7 +22,8 @@ public:
     /// what the faces count in the flow rates, see `Ends`.
     void set_ends(Array<Real> inside_share, std::array<Array<Real>, 2> flow_weights);
 
-    /// Makes s.u divergence-free and updates s.P; both with valid halos. The step begins at t.
+    /// Makes s.u divergence-free and updates s.P, both with valid halos, and the kinetic energies.
+    /// The step begins at t.
     void project(FluidState& s, Real t, Real dt);
 
     /// Sets s.P to the harmonic field of the end pressures at t = 0: the pressure of fluid at rest
@@ -39,6 +40,7 @@ private:
     Ends ends_;
     Poisson poisson_;
     ScalarField phi_;
+    Array<Real> plane_sums_; ///< of u_c^2
 };
 
 } // namespace starling

@@ -94,6 +94,8 @@ void write_state(hdf5::File& file, const State& s)
     file.attribute("/state", "step", s.step);
     file.attribute("/state", "dt", s.dt);
     file.attribute("/state", "dt_before", s.fluid.dt_before);
+    file.attribute("/state", "kinetic_energy", s.fluid.kinetic_energy);
+    file.attribute("/state", "kinetic_energy_before", s.fluid.kinetic_energy_before);
     for_end_values(s.fluid.ends,
                    [&](const char* name, Real value) { file.attribute("/state", name, value); });
     for_fields(s.fluid, [&](const std::string& path, const ScalarField& f) {
@@ -198,8 +200,10 @@ bool all_finite(std::span<const Real> values)
 bool is_finite(const State& s)
 {
     bool finite = std::isfinite(s.t) && std::isfinite(s.dt) && std::isfinite(s.fluid.ends.stored) &&
-                  all_finite(as_reals(s.wall.x)) && all_finite(as_reals(s.wall.velocity)) &&
-                  all_finite(as_reals(s.wall.support)) && all_finite(as_reals(s.wall.passing));
+                  std::isfinite(s.fluid.kinetic_energy) &&
+                  std::isfinite(s.fluid.kinetic_energy_before) && all_finite(as_reals(s.wall.x)) &&
+                  all_finite(as_reals(s.wall.velocity)) && all_finite(as_reals(s.wall.support)) &&
+                  all_finite(as_reals(s.wall.passing));
     for_fields(s.fluid, [&](const std::string&, const ScalarField& f) {
         finite = finite && all_finite(f.values().span());
     });
@@ -248,6 +252,8 @@ void CheckpointFile::read(State& s) const
         s.step = file.index_attribute("/state", "step");
         s.dt = file.real_attribute("/state", "dt");
         s.fluid.dt_before = file.real_attribute("/state", "dt_before");
+        s.fluid.kinetic_energy = file.real_attribute("/state", "kinetic_energy");
+        s.fluid.kinetic_energy_before = file.real_attribute("/state", "kinetic_energy_before");
         for_end_values(s.fluid.ends, [&](const char* name, Real& value) {
             value = file.real_attribute("/state", name);
         });

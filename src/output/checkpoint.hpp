@@ -13,7 +13,7 @@
 
 namespace starling {
 
-inline constexpr Seal checkpoint_seal = {"checkpoint", 3, "docs/checkpoints.md"};
+inline constexpr Seal checkpoint_seal = {"checkpoint", 4, "docs/checkpoints.md"};
 
 /// What a run remembers beside the state of the computation.
 struct RunMemory {

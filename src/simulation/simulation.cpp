@@ -58,8 +58,8 @@ struct Simulation::Impl {
     explicit Impl(const Case& c)
         : description(c), grid(make_grid(c.grid, c.tube.length)), tube(make_tube(c, grid)),
           op(grid, tube, wall_model(c, grid.delta()), c.fluid, c.drive, c.coupling.scheme),
-          workspace(grid, tube), state(grid, tube),
-          monitor(grid, tube, op.elastic, op.bending, c.fluid.reynolds), good(grid, tube)
+          workspace(grid, tube), state(grid, tube), monitor(grid, op, c.fluid, c.drive),
+          good(grid, tube)
     {
         perturb(tube, c.perturbation, state.wall.x);
         initialise(state, op);

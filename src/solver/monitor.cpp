@@ -30,10 +30,12 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt)
     return check;
 }
 
-Monitor::Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Bending& bending,
-                 Real reynolds)
-    : grid_(g), tube_(&tube), elastic_(&elastic), bending_(&bending), inv_reynolds_(1 / reynolds),
-      geometry_(tube.mesh), before_(static_cast<Index>(tube.X.size())), section_flow_(g, tube)
+Monitor::Monitor(const Grid& g, Operators& op, const FluidParameters& fluid,
+                 const DriveParameters& drive)
+    : grid_(g), tube_(&op.tube), elastic_(&op.elastic), bending_(&op.bending),
+      inv_reynolds_(1 / fluid.reynolds), geometry_(op.tube.mesh),
+      before_(static_cast<Index>(op.tube.X.size())), section_flow_(g, op.tube),
+      power_(g, op, fluid, drive)
 {
 }
 
@@ -53,23 +55,6 @@ Vec3 Monitor::outward_normal(VertexIndex v) const
 {
     const Vec3 a = geometry_.vertex_area()[v];
     return (1 / norm(a)) * a;
-}
-
-Real Monitor::kinetic_energy(const VectorField& u) const
-{
-    Real sum = 0;
-    for (Location c : components) {
-        const View<const Real> f = u[c].view();
-        const Box b = grid_.unknowns(c);
-        for (Index i = b.begin[0]; i < b.end[0]; ++i) {
-            Real plane = 0;
-            for (Index j = b.begin[1]; j < b.end[1]; ++j)
-                for (Index k = b.begin[2]; k < b.end[2]; ++k) plane += f(i, j, k) * f(i, j, k);
-            const bool end_face = c == Location::u && (i == 0 || i == grid_.nx());
-            sum += end_face ? plane / 2 : plane;
-        }
-    }
-    return sum * grid_.cell_volume() / 2;
 }
 
 /// dV/dt over the last step: exactly the change of the enclosed volume.
@@ -110,6 +95,21 @@ Real Monitor::undeformed_area() const
     return n / 2 * std::sin(2 * pi / n);
 }
 
+namespace {
+
+void add_powers(const Powers& p, Sample& a)
+{
+    a.power_in = p.inlet;
+    a.power_out = p.outlet;
+    a.power_exterior = p.exterior;
+    a.power_viscous = p.dissipation;
+    a.power_kinetic = p.kinetic;
+    a.power_wall = p.wall;
+    a.power_residual = p.residual();
+}
+
+} // namespace
+
 Sample Monitor::sample(const State& s)
 {
     const Array<Vec3>& x = s.wall.x;
@@ -138,9 +138,10 @@ Sample Monitor::sample(const State& s)
     }
     a.smallest_gap = width_or_nan(smallest_gap(*tube_, x));
     add_narrowest_section(x, a);
-    a.kinetic_energy = kinetic_energy(s.fluid.u);
+    a.kinetic_energy = s.fluid.kinetic_energy;
     a.elastic_energy = elastic_->energy(x);
     a.bending_energy = bending_->energy(x, geometry_);
+    add_powers(power_.measure(s), a);
     for (VertexIndex v = tube_->moving_begin(); v < tube_->moving_end(); ++v)
         a.largest_displacement =
             std::max(a.largest_displacement, norm(x[v] - tube_->X[static_cast<std::size_t>(v)]));

@@ -1,9 +1,7 @@
 #pragma once
 /// What a state says about itself: samples, profiles and snapshots. Numbers only, no files.
-#include "immersed_boundary/section_flow.hpp"
 #include "solver/monitor_data.hpp"
-#include "solver/operators.hpp"
-#include "solver/state.hpp"
+#include "solver/power_balance.hpp"
 #include "wall/lumen.hpp"
 
 namespace starling {
@@ -19,8 +17,9 @@ SpeedCheck check_speed(const Grid& g, const VectorField& u, Real dt);
 /// Measures a state. Everything is summed in a fixed order, so results do not depend on threads.
 class Monitor {
 public:
-    Monitor(const Grid& g, const Tube& tube, const ElasticForce& elastic, Bending& bending,
-            Real reynolds);
+    /// Holds references to the operators.
+    Monitor(const Grid& g, Operators& op, const FluidParameters& fluid,
+            const DriveParameters& drive);
 
     Sample sample(const State& s);
     std::vector<ProfileRow> profile(const State& s);
@@ -38,7 +37,6 @@ private:
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
     void add_narrowest_section(const Array<Vec3>& x, Sample& a) const;
     Real undeformed_area() const;
-    Real kinetic_energy(const VectorField& u) const;
     Real volume_rate(const State& s);
     Real transmural_pressure(const State& s, VertexIndex v) const;
     Real wall_shear_stress(const State& s, VertexIndex v) const;
@@ -52,6 +50,7 @@ private:
     Geometry geometry_;
     Array<Vec3> before_; ///< positions before the last step
     SectionFlow section_flow_;
+    PowerBalance power_;
 };
 
 } // namespace starling

@@ -27,6 +27,9 @@ struct Sample {
     Real x_min_area = 0;         ///< where it is
     Index lobes = 0;             ///< of that cross-section; 0: round
     Real kinetic_energy = 0, elastic_energy = 0, bending_energy = 0;
+    /// Rates of energy in the last step, see `Powers`.
+    Real power_in = 0, power_out = 0, power_exterior = 0, power_viscous = 0, power_kinetic = 0,
+         power_wall = 0, power_residual = 0;
     Real largest_displacement = 0;
     Real max_strain = 0; ///< largest principal stretch - 1
     Real cfl = 0;        ///< max |u| dt / Delta

@@ -89,6 +89,19 @@ function chartsOverTime(run) {
         ["bending_energy", "bending"],
       ),
     },
+    {
+      key: "power",
+      title: "Balance of power",
+      y: "power",
+      lines: of(
+        ["power_in", "inlet"],
+        ["power_out", "outlet"],
+        ["power_viscous", "viscous"],
+        ["power_kinetic", "kinetic"],
+        ["power_wall", "wall"],
+        ["power_residual", "left over"],
+      ),
+    },
     { key: "cfl", title: "Courant number", y: "CFL", lines: of(["cfl", "CFL"]) },
   ];
   const collapse = [

@@ -133,7 +133,7 @@ TEST(Checkpoint, OfAnotherKindOrVersionIsNamedAsSuch)
     TemporaryDirectory dir;
     std::string text = read_text(Example().write(dir.path()));
     const fs::path other = dir.path() / "other.h5";
-    const std::size_t place = text.find("format_version 3");
+    const std::size_t place = text.find("format_version 4");
     for (const char* version : {"2", "7"}) {
         text.replace(place + 15, 1, version);
         write_text(other, text);

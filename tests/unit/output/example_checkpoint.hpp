@@ -24,6 +24,8 @@ struct ExampleCheckpoint {
         for (auto& values : state.fluid.ends.pressure)
             for (Real& p : values) p = next += 0.1;
         state.fluid.dt_before = 0.01;
+        state.fluid.kinetic_energy = 4.5;
+        state.fluid.kinetic_energy_before = 5.5;
         for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
         for (Vec3& f : state.wall.support) f = {0, next += 0.1, -2 * next};
         for (Vec3& u : state.wall.passing) u = {0, 3 * next, next += 0.1};

@@ -18,6 +18,7 @@ struct CoupledParameters {
 
 struct Coupled {
     static constexpr Real reynolds = 0.1;
+    static constexpr FluidParameters fluid = {.reynolds = reynolds, .theta = 1};
     Grid g;
     Tube tube;
     Operators op;
@@ -29,8 +30,7 @@ struct Coupled {
                              {0, -2.5, -2.6}, {p.tube.length, 5, 5.2})
                       : box_around(p.spacing, p.tube.length)),
           tube(make_tube(p.tube, p.tube.edge_over_spacing * g.delta())),
-          op(g, tube, {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing},
-             {.reynolds = reynolds, .theta = 1},
+          op(g, tube, {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing}, fluid,
              {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
           w(g, tube), s(g, tube)
     {
