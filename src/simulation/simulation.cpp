@@ -143,6 +143,8 @@ struct Simulation::Impl {
         if (state.step % steps_between_checks == 0) {
             soundness.check_walls();
             check_speed_and_step();
+        } else if (state.step < steps_between_checks) {
+            check_speed_and_step(); // the drive may have been switched on
         }
     }
 };

@@ -1,0 +1,56 @@
+"""How tight the wall is, and what the fluid outside does, from the files of a run."""
+import h5py
+import numpy
+
+import measures
+
+
+class Tightness:
+    def __init__(self, result):
+        self.result = result
+        series = measures.columns(result.directory / "series.csv")
+        self.series = {name: numpy.array(values) for name, values in series.items()}
+        self.Q = self.series["Q_mid"][-1]
+
+    @property
+    def transient(self):
+        """Largest leak at a sample over the largest |Q_in - Q_out|."""
+        s = self.series
+        return abs(s["leak"]).max() / abs(s["Q_in"] - s["Q_out"]).max()
+
+    @property
+    def sections(self):
+        """Largest difference of Q(x) from Q(0) at the end, over Q: what passed the wall up to x."""
+        Q = numpy.array(self.result.profile["Q"])
+        return abs(Q - Q[0]).max() / self.Q
+
+    @property
+    def exterior_flow(self):
+        return self.series["Q_exterior"][-1] / self.Q
+
+    @property
+    def power_left_over(self):
+        """At the end, over the power that enters."""
+        return self.series["power_residual"][-1] / self.series["power_in"][-1]
+
+    @property
+    def exterior_pressure(self):
+        """Largest deviation from the external pressure more than 3 spacings outside the wall, over the
+        inlet pressure."""
+        drive = self.result.case["drive"]
+        with h5py.File(self.result.directory / "fluid.h5", "r", locking=False) as file:
+            x, r, P = cells(file)
+        R = numpy.interp(x, self.result.profile["x"], self.result.profile["R_mean"])
+        outside = r > R + 3 * self.result.spacing
+        off = abs(P[outside] - drive["pressure_external"]).max()
+        return off / abs(drive["pressure_inlet"] - drive["pressure_external"])
+
+
+def cells(file):
+    """x, distance from the axis and pressure of the cells of the last frame of fluid.h5."""
+    frame = list(file["frames"].values())[-1]
+    P = frame["pressure"][...].astype(float)
+    centre = [origin + (numpy.arange(n) + 0.5) * h  # arrays of a frame run over z, y, x
+              for origin, n, h in zip(frame.attrs["origin"], P.shape[::-1], frame.attrs["spacing"])]
+    z, y, x = numpy.meshgrid(*reversed(centre), indexing="ij")
+    return x, numpy.hypot(y, z), P
