@@ -1,6 +1,7 @@
 """How tight the wall is, and what the fluid outside does, from the files of a run."""
 import h5py
 import numpy
+from scipy.spatial import KDTree
 
 import measures
 
@@ -35,15 +36,25 @@ class Tightness:
 
     @property
     def exterior_pressure(self):
-        """Largest deviation from the external pressure more than 3 spacings outside the wall, over the
-        inlet pressure."""
+        """Largest deviation from the external pressure where the wall, outside, is farther away than 3
+        spacings, over the inlet pressure."""
         drive = self.result.case["drive"]
         with h5py.File(self.result.directory / "fluid.h5", "r", locking=False) as file:
             x, r, P = cells(file)
-        R = numpy.interp(x, self.result.profile["x"], self.result.profile["R_mean"])
-        outside = r > R + 3 * self.result.spacing
+        outside = distance_outside(self.result.profile, x, r) > 3 * self.result.spacing
         off = abs(P[outside] - drive["pressure_external"]).max()
         return off / abs(drive["pressure_inlet"] - drive["pressure_external"])
+
+
+def distance_outside(profile, x, r):
+    """Distance from a round wall, 0 inside; through its mean radii, refined by lines."""
+    fine = numpy.linspace(profile["x"][0], profile["x"][-1], 2000)
+    R = numpy.interp(fine, profile["x"], profile["R_mean"])
+    outside = r > numpy.interp(x, fine, R)
+    distance = numpy.zeros_like(r)
+    distance[outside] = KDTree(numpy.column_stack([fine, R])).query(
+        numpy.column_stack([x[outside], r[outside]]))[0]
+    return distance
 
 
 def cells(file):
