@@ -219,8 +219,11 @@ BuiltProblem build(const Problem& p)
 
 double expected_bytes(const Problem& p)
 {
-    constexpr double of_program = 30e6, per_cell = 180, per_vertex = 1400;
-    return of_program + per_cell * static_cast<double>(p.cell_count()) +
+    constexpr double of_program = 30e6, per_cell = 130, per_cell_beside_wall = 215,
+                     per_vertex = 1400;
+    return of_program +
+           (p.vertices == 0 ? per_cell : per_cell_beside_wall) *
+               static_cast<double>(p.cell_count()) +
            per_vertex * static_cast<double>(p.vertices);
 }
 
