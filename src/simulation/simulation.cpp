@@ -22,6 +22,8 @@ Tube make_tube(const Case& c, const Grid& g)
 
 constexpr Real contact_range = 2; ///< gap below which walls repel each other, in grid spacings
 
+} // namespace
+
 WallModel wall_model(const Case& c, Real delta)
 {
     const Real reynolds = c.fluid.reynolds;
@@ -31,6 +33,8 @@ WallModel wall_model(const Case& c, Real delta)
     return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds), contact,
             c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing};
 }
+
+namespace {
 
 constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more
 constexpr Real half_slab_in_spacings = 6;
