@@ -31,6 +31,7 @@ def inflation(ratio, spacing=0.1, law="hooke", eps=0.02, width=4.7, end_time=Non
     name += f"-w{width}" if width != 4.7 else ""
     name += "".join(f"-{label[key]}{value}" for key, value in more.items())
     name += f"-t{threads}" if threads else ""
+    name += "-long" if tolerance < 1e-9 else ""
     settings = dict(drive__pressure_ratio=ratio, grid__spacing=spacing)
     if eps != 0.02:
         settings["wall__eps"] = eps
