@@ -1,4 +1,5 @@
 """The runs behind docs/validation.md."""
+import dataclasses
 import math
 
 from runs import make_run
@@ -79,6 +80,9 @@ WOMERSLEY = {alpha: make_run(f"womersley-a{alpha}", "cases/womersley.toml",
                              fluid__reynolds=alpha**2,
                              stop__end_time=round(2 * math.pi * (2 + alpha), 6))
              for alpha in (1, 2, 3)}
+
+CAROTID = {"as shipped": dataclasses.replace(make_run("carotid", "cases/carotid.toml"),
+                                             coarse=("grid.cells=[100,12,12]",))}
 
 FILTERS = {(ratio, s): inflation(ratio, spacing=0.13, wall__mesh_filter=s)
            for ratio in (1, 3) for s in (0, 0.25, 0.5, 1)}
