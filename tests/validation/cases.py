@@ -82,7 +82,7 @@ WOMERSLEY = {alpha: make_run(f"womersley-a{alpha}", "cases/womersley.toml",
              for alpha in (1, 2, 3)}
 
 CAROTID = {"as shipped": dataclasses.replace(make_run("carotid", "cases/carotid.toml"),
-                                             coarse=("grid.cells=[100,12,12]",))}
+                                             coarse=("grid.cells=[150,15,15]",))}
 
 FILTERS = {(ratio, s): inflation(ratio, spacing=0.13, wall__mesh_filter=s)
            for ratio in (1, 3) for s in (0, 0.25, 0.5, 1)}
