@@ -209,7 +209,7 @@ private:
     {
         good_memory_ = m;
         step_factor_ = m.step_factor;
-        files_.go_on_from(m, simulation_.time());
+        files_.go_on_from(m, simulation_.time(), simulation_.steps());
         stop_ = StopCriteria(case_);
         for (const Sample& s : m.window) stop_.add(s);
         last_ = simulation_.sample();

@@ -42,13 +42,14 @@ void RunFiles::write_own_case() const
                  written_case_mark + (": every default filled in\n" + write_case(case_)));
 }
 
-void RunFiles::go_on_from(const RunMemory& m, Real t)
+void RunFiles::go_on_from(const RunMemory& m, Real t, Index step)
 {
     series_.emplace(directory_.file("series.csv"), case_.scaling, m.last_row);
     write_own_case();
     directory_.remove_end(); // which is none
     wall_.emplace(field_options(m.wall_frames));
     fluid_.emplace(field_options(m.fluid_frames));
+    checkpoints_.go_on_from(step);
     wall_due_.go_on(t, m.next_wall);
     fluid_due_.go_on(t, m.next_fluid);
     last_row_ = m.last_row;

@@ -39,8 +39,8 @@ public:
     void begin();
     /// The run has ended and all that it writes then is there.
     bool complete() const { return std::filesystem::exists(directory_.file("summary.json")); }
-    /// Drops what was written after the moment of `memory` and goes on from there.
-    void go_on_from(const RunMemory& memory, Real t);
+    /// Drops what was written after the moment of `memory`, at t and `step`, and goes on there.
+    void go_on_from(const RunMemory& memory, Real t, Index step);
     /// Notes in `memory` how far the files are.
     void note(RunMemory& memory) const;
 

@@ -593,6 +593,27 @@ def test_numerical_error(directory):
     expect("Warning" in result.stdout and "membrane stiffness" in result.stdout, result.stdout)
 
 
+def test_breakdown_keeps_checkpoints(directory):
+    """Those newer than the last sound state stay, and each is one to go on from."""
+    out = directory / "out"
+    expect_exit(starling("run", *COARSE, *FRAMES, "--set", "time.step=0.06", "--set", "checkpoint.steps=10",
+                         "--out", out), 3)
+    folder = out / "checkpoints"
+    names = sorted(p.name for p in folder.glob("step_*"))
+    expect(names == [f"step_{n:010}.h5" for n in (0, 10, 20, 30)], names)
+    expect((folder / "latest").resolve().name == names[-1], "latest")
+    expect(summary_of(out)["t"] == 0, "the summary is of the last sound state")
+    expect(int(rows_of(out / "series.csv")[-1][1]) == 30, "rows up to the breakdown")
+    for source, step in (([], 30), (["--from", folder / names[2]], 20)):
+        result = starling("resume", out, *source, "--set", "time.step=0.01", "--accept-changes", "--set",
+                          f"stop.steps={step + 3}")
+        expect_exit(result, 0)
+        expect(f"Going on from step {step}" in result.stdout, result.stdout)
+        check_readable(out)
+    names = sorted(p.name for p in folder.glob("step_*"))
+    expect(names == [f"step_{n:010}.h5" for n in (20, 23)], names)
+
+
 def test_end_time(directory):
     out = directory / "out"
     expect_exit(starling("run", *COARSE, "--set", "stop.end_time=0.2", "--set",
