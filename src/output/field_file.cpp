@@ -13,11 +13,6 @@ namespace {
 /// What all frames of the wall share; it stands in the first.
 constexpr const char* shared_array = "/triangles";
 
-std::string frame_name(const std::string& name, Index frame)
-{
-    return fmt::format("frames/{}_{:06}.h5", name, frame);
-}
-
 std::vector<Index> as_index(const std::vector<hsize_t>& shape)
 {
     return {shape.begin(), shape.end()};
@@ -55,6 +50,11 @@ std::vector<Real> transposed(const NamedArray& a, const std::array<Index, 3>& n)
 }
 
 } // namespace
+
+std::string frame_name(const std::string& name, Index frame)
+{
+    return fmt::format("frames/{}_{:06}.h5", name, frame);
+}
 
 FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     : options_(std::move(options)), what_(std::move(what)), name_(options_.prefix + what_),

@@ -18,6 +18,9 @@ namespace starling {
 /// Of NAME.h5. Version 3: each frame has a seal.
 inline constexpr Seal index_seal = {"index", 3, "docs/results.md"};
 
+/// Of a frame of the "wall" or "fluid", in the run directory: "frames/wall_000000.h5".
+std::string frame_name(const std::string& name, Index frame);
+
 /// Where and how field files are written.
 struct FieldFileOptions {
     std::filesystem::path directory;

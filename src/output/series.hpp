@@ -20,6 +20,8 @@ public:
         : TableWriter(path, sample_columns(), scaling, "step", last_row)
     {
     }
+    /// Whether the file has the row of `step`.
+    static bool has_row(const std::filesystem::path& path, const Scaling& scaling, Index step);
 };
 
 } // namespace starling

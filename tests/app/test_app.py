@@ -365,10 +365,48 @@ def test_full_disk(directory):
         result = starling("run", *case, "--set", "checkpoint.steps=10", "--out", out)
         expect_exit(result, 1)
         expect("No space left on device" in result.stderr, result.stderr)
+        expect(f"free space on the disk, then: starling resume {out}" in result.stderr, result.stderr)
         check_readable(out)
         expect_exit(starling("run", *case, "--out", whole), 0)
         subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
         expect_exit(starling("resume", out), 0)
+        expect_same_results(whole, out)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+def test_full_disk_at_the_end(directory):
+    """The last checkpoint does not fit: the smaller results are written; a breakdown is told."""
+    disk, whole = directory / "disk", directory / "whole"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", disk], check=False,
+                      capture_output=True).returncode != 0:
+        print("skipped: needs the right to mount a small disk")
+        sys.exit(SKIPPED)
+    try:
+        out, filler = disk / "out", disk / "filler"
+        filler.write_bytes(bytes(2 * 2**20))
+        result = starling("run", *SHORT, "--set", "output.fluid=false", "--quiet", "--out", out)
+        expect_exit(result, 1)
+        for words in ("has ended (steps)", "step_0000000005.h5", "No space left", "--force"):
+            expect(words in result.stderr, "should say", words, "but says", result.stderr)
+        expect(summary_of(out)["steps"] == 5, "summary")
+        check_tables(out)
+        check_readable(out)
+        result = starling("run", *COARSE, "--set", "time.step=0.06", "--set", "output.fluid=false",
+                          "--set", "checkpoint.steps=20", "--quiet", "--out", out, "--force")
+        expect_exit(result, 3)
+        for words in ("the run goes on", "warning: cannot write", "try: a smaller time step", "(vertex"):
+            expect(words in result.stderr, "should say", words, "but says", result.stderr)
+        expect(summary_of(out)["reason"].startswith("numerical error"), "summary")
+        subprocess.run(["mount", "-o", "remount,size=5m", disk], check=True)
+        case = [*SHORT, "--set", "output.wall_every=0.02", "--set", "checkpoint.keep=1"]
+        result = starling("run", *case, "--set", "checkpoint.steps=3", "--out", out, "--force")
+        expect_exit(result, 1)
+        expect(f"starling resume {out}" in result.stderr, result.stderr)
+        filler.unlink()
+        expect_exit(starling("resume", out), 0)
+        expect_exit(starling("run", *case, "--out", whole), 0)
         expect_same_results(whole, out)
     finally:
         subprocess.run(["umount", disk], check=True)
