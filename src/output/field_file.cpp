@@ -71,6 +71,13 @@ FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     remove_later_frames();
 }
 
+void FrameWriter::check(const FieldFileOptions& options, const std::string& what)
+{
+    const std::string name = options.prefix + what;
+    if (options.keep > 0)
+        xdmf::Series(options.directory / (name + ".xdmf"), name).check(options.keep);
+}
+
 /// Frames from number `frames_` on and those that a kill left unfinished.
 void FrameWriter::remove_later_frames() const
 {

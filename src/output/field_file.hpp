@@ -35,6 +35,8 @@ class FrameWriter {
 public:
     /// Throws InputError where fewer frames are there than are to be kept.
     FrameWriter(FieldFileOptions options, std::string what);
+    /// Throws as the constructor does, and changes nothing.
+    static void check(const FieldFileOptions& options, const std::string& what);
 
     /// Writes the arrays of a new frame to an open file and describes them in XDMF.
     struct Frame {

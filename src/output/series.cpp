@@ -47,7 +47,7 @@ std::span<const Column<Sample>> sample_columns()
 bool SeriesWriter::has_row(const std::filesystem::path& path, const Scaling& scaling, Index step)
 {
     try {
-        SeriesWriter::length_up_to(path, sample_columns(), scaling, "step", step);
+        check_row(path, scaling, step);
         return true;
     } catch (const InputError&) {
         return false;

@@ -71,6 +71,7 @@ public:
                              "); change what ends it, as in --set " +
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
+        files_.check_go_on(m);
         remember(m);
         if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;

@@ -64,6 +64,13 @@ void RunFiles::write_own_case() const
                  written_case_mark + (": every default filled in\n" + write_case(case_)));
 }
 
+void RunFiles::check_go_on(const RunMemory& m) const
+{
+    SeriesWriter::check_row(directory_.file("series.csv"), case_.scaling, m.last_row);
+    FrameWriter::check(field_options(m.wall_frames), "wall");
+    FrameWriter::check(field_options(m.fluid_frames), "fluid");
+}
+
 void RunFiles::go_on_from(const RunMemory& m, Real t, Index step)
 {
     series_.emplace(directory_.file("series.csv"), case_.scaling, m.last_row);

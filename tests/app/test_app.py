@@ -334,6 +334,10 @@ def test_resume_anywhere(directory):
         expect_same_results(whole, parts)
 
 
+def files_of(out):
+    return {p.relative_to(out): p.read_bytes() for p in out.rglob("*") if p.is_file()}
+
+
 def test_resume_damaged(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--set", "checkpoint.steps=2", "--out", out), 0)
@@ -345,6 +349,14 @@ def test_resume_damaged(directory):
         result = starling("resume", out, "--set", "stop.steps=8")
         expect_exit(result, 2)
         expect(words in result.stderr and "--from" in result.stderr, result.stderr)
+    for name in ("wall.xdmf", "series.csv"):
+        lost = (out / name).read_bytes()
+        (out / name).unlink()
+        before = files_of(out)
+        expect_exit(starling("resume", out, "--from", latest.parent / "step_0000000004.h5", "--set",
+                             "stop.steps=8"), 2)
+        expect(files_of(out) == before, "a refused resume changed something")
+        (out / name).write_bytes(lost)
     offered = re.search(r"--from (\S+)", result.stderr)[1]
     expect_exit(starling("resume", out, "--from", offered, "--set", "stop.steps=8"), 0)
     expect_exit(starling("run", *SHORT, "--set", "stop.steps=8", "--out", directory / "whole"), 0)
