@@ -65,7 +65,9 @@ public:
         simulation_.restore([&](State& s) { file.read(s); }, m.step_factor);
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
-        stop_.check(moment());
+        Moment at_rest = moment();
+        at_rest.wall_seconds = 0; // counts from now
+        stop_.check(at_rest);
         if (stop_.reason() && files_.complete(m, simulation_.steps()))
             throw InputError("nothing to do: the run has ended (" + *stop_.reason() +
                              "); change what ends it, as in --set " +
@@ -73,7 +75,7 @@ public:
         const bool ended = stop_.reason().has_value();
         files_.check_go_on(m);
         remember(m);
-        if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
+        if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
         if (theory_) files_.theory(*theory_);
         start();
