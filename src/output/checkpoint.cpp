@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "output/file_name.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 
@@ -325,7 +326,7 @@ std::string checkpoint_name(Index step) { return fmt::format("step_{:010}.h5", s
 
 bool is_checkpoint_name(const std::string& name)
 {
-    return name.starts_with("step_") && name.ends_with(".h5");
+    return is_numbered_name(name, "step_", 10, ".h5");
 }
 
 /// What a kill left of a checkpoint.
@@ -333,7 +334,8 @@ std::vector<fs::path> unfinished(const fs::path& folder)
 {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".new") found.push_back(entry.path());
+        if (is_numbered_name(entry.path().filename().string(), "step_", 10, ".h5.new"))
+            found.push_back(entry.path());
     return found;
 }
 

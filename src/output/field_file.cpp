@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "output/file_name.hpp"
 #include "output/frame_file.hpp"
 
 namespace starling {
@@ -85,7 +86,7 @@ void FrameWriter::remove_later_frames() const
     std::vector<fs::path> later;
     for (const auto& entry : fs::directory_iterator(options_.directory / "frames")) {
         const std::string name = entry.path().filename();
-        const bool ours = name.starts_with(name_ + "_") && name.size() >= first.size();
+        const bool ours = is_numbered_or_unfinished(name, name_ + "_", 6, ".h5");
         if (ours && (name >= first || name.ends_with(".new"))) later.push_back(entry.path());
     }
     for (const fs::path& path : later) fs::remove(path);

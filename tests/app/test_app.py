@@ -307,6 +307,17 @@ def test_resume_ended(directory):
         expect_exit(starling("resume", out, "--set", advice), 0)
 
 
+def test_resume_after_wall_clock(directory):
+    """The limit on real time counts from the moment of resuming: a step at least is taken."""
+    out = directory / "out"
+    expect_exit(starling("run", *COARSE, "--set", "stop.wall_clock=1e-6", "--set", "stop.steady_tolerance=",
+                         "--set", "stop.end_time=", "--out", out), 0)
+    for steps in (2, 3):
+        expect_exit(starling("resume", out), 0)
+        expect(summary_of(out)["reason"] == "wall clock", summary_of(out)["reason"])
+        expect(summary_of(out)["steps"] == steps, summary_of(out)["steps"])
+
+
 COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacing=0.25", "--set",
             "vessel.rigid_outlet=0.55"]
 
@@ -315,6 +326,23 @@ PULSATILE = [*COARSE, *(word for setting in (
     "inlet_waveform.sine=[1, 0.3]", "external_waveform.amplitude=20", "external_waveform.times=[0, 1]",
     "external_waveform.values=[0, 1]", "external_waveform.time_scale=1", "stop.steady_tolerance=")
     for word in ("--set", setting))]
+
+
+def test_files_of_the_user(directory):
+    """Files that a user has put beside those of a run stay, and do not stand in its way."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--set", "checkpoint.steps=2", "--out", out), 0)
+    names = ["checkpoints/step_0000000004_keep.h5", "checkpoints/step_mine.h5", "checkpoints/notes.new",
+             "frames/wall_at_t06.vtp", "frames/wall_000009_copy.h5", "frames/breakdown_notes.txt",
+             "frames/wall_best.h5"]
+    for name in names:
+        (out / name).write_text(name, encoding="utf-8")
+    check_readable(out)
+    expect_exit(starling("resume", out, "--set", "stop.steps=12"), 0)
+    check_readable(out)
+    expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)
+    for name in names:
+        expect((out / name).read_text(encoding="utf-8") == name, name)
 
 
 def test_resume_anywhere(directory):
