@@ -74,6 +74,8 @@ public:
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
         files_.check_go_on(m);
+        for (const std::string& damage : files_.damaged_frames(m))
+            observer_.warn(damage + "; the run goes on, this frame stays as it is");
         remember(m);
         if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;

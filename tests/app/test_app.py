@@ -396,6 +396,29 @@ def test_resume_damaged(directory):
     expect_same_results(directory / "whole", out)
 
 
+def test_resume_beside_damage(directory):
+    """A frame that cannot be read is told; a case.toml cut off is refused, its copy is at hand."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--set", "output.wall_every=0.02", "--out", out), 0)
+    (out / "frames" / "wall_000001.h5").unlink()
+    cut = out / "frames" / "wall_000002.h5"
+    cut.write_bytes(cut.read_bytes()[:5000])
+    result = starling("resume", out, "--quiet", "--set", "stop.steps=7")
+    expect_exit(result, 0)
+    for words in ("wall_000001.h5: no such frame", "wall_000002.h5: is truncated"):
+        expect(words in result.stderr, "should say", words, "but says", result.stderr)
+    case = out / "case.toml"
+    case.write_bytes(case.read_bytes()[:200])
+    before = files_of(out)
+    result = starling("resume", out, "--set", "stop.steps=9")
+    expect_exit(result, 2)
+    expect("the checkpoint holds the case" in result.stderr and str(case) in result.stderr, result.stderr)
+    expect(files_of(out) == before, "a refused resume changed something")
+    case.unlink()
+    expect_exit(starling("resume", out, "--set", "stop.steps=9"), 0)
+    expect_exit(starling("check", case), 0)
+
+
 def test_full_disk(directory):
     """A disk too small for the run: a message, no crash, what was written is whole; then on."""
     disk, whole = directory / "disk", directory / "whole"
