@@ -140,7 +140,7 @@ void add_numbers(Table& table, const Case& c, const RunEstimate& e)
                    table.number(e.wave_speed, Quantity::velocity) + ", with E/(1 - nu^2)");
 }
 
-void add_discretisation(Table& table, const RunEstimate& e)
+void add_discretisation(Table& table, const RunEstimate& e, Index available)
 {
     table.line("cells", fmt::format("{} x {} x {} = {}", e.cells_xyz[0], e.cells_xyz[1],
                                     e.cells_xyz[2], e.cells));
@@ -150,8 +150,8 @@ void add_discretisation(Table& table, const RunEstimate& e)
                            table.number(e.spacing.z, Quantity::none)) +
                    " (R_0)");
     table.line("wall", fmt::format("about {} vertices, {} triangles", e.vertices, e.elements));
-    table.line("memory", "about " + memory_text(e.memory_bytes) + " (" +
-                             memory_text(available_memory_bytes()) + " are free)");
+    table.line("memory", "about " + memory_text(e.memory_bytes) + " (" + memory_text(available) +
+                             " are free)");
 }
 
 void add_limits(Table& table, const Case& c, const RunEstimate& e)
@@ -198,16 +198,24 @@ std::string summary_text(const Summary& summary, const Case& c,
 
 std::string check_text(const Case& c, const RunEstimate& estimate)
 {
+    const Index available = available_memory_bytes();
     Table table(c.scaling);
     table.heading(c.title.empty() ? "Case" : c.title);
     add_numbers(table, c, estimate);
     table.heading("Grid and wall");
-    add_discretisation(table, estimate);
+    add_discretisation(table, estimate, available);
     table.heading("Limits of the time step");
     add_limits(table, c, estimate);
     table.heading("Expected cost");
     add_cost(table, c, estimate);
-    return table.text() + warning_text(estimate.warnings) + "The case is valid.\n";
+    std::vector<std::string> warnings = estimate.warnings;
+    const bool fits = estimate.memory_bytes <= available;
+    if (!fits)
+        warnings.push_back(fmt::format("this machine would refuse to run it: it needs about {} of "
+                                       "memory and {} are free",
+                                       memory_text(estimate.memory_bytes), memory_text(available)));
+    return table.text() + warning_text(warnings) +
+           (fits ? "The case is valid.\n" : "The case is valid, but not for this machine.\n");
 }
 
 std::string case_list_text()

@@ -15,8 +15,8 @@ namespace starling {
 
 namespace {
 
-constexpr Real bytes_of_program = 28e6;
-constexpr Real bytes_per_cell = 255;
+constexpr Real bytes_of_program = 40e6;
+constexpr Real bytes_per_cell = 295;
 constexpr Real bytes_per_vertex = 1400;
 constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
 

@@ -65,6 +65,23 @@ fs::path latest_sound(const std::vector<fs::path>& all, std::size_t skip)
     return {};
 }
 
+/// Of the directory's case.toml, which the user may have changed, else of the checkpoint.
+Case case_to_go_on_with(const fs::path& file, const CheckpointFile& checkpoint,
+                        const std::vector<std::string>& overrides)
+{
+    if (!fs::exists(file))
+        return read_case_text(checkpoint.case_text(), "the checkpoint's case", overrides);
+    try {
+        read_case(file);
+    } catch (const InputError& e) {
+        throw InputError(
+            std::string(e.what()) +
+            "\n  the checkpoint holds the case as it was run: to go on with that, move " +
+            file.string() + " away and resume again");
+    }
+    return read_case(file, overrides);
+}
+
 } // namespace
 
 CheckpointFile latest_checkpoint(const fs::path& run_directory)
@@ -88,10 +105,7 @@ Case resumed_case(const fs::path& run_directory, const CheckpointFile& checkpoin
                   const std::vector<std::string>& overrides, Changes allowed)
 {
     const Case before = read_case_text(checkpoint.case_text(), "the checkpoint's case");
-    const fs::path file = run_directory / "case.toml";
-    const Case now = fs::exists(file) ? read_case(file, overrides)
-                                      : read_case_text(checkpoint.case_text(),
-                                                       "the checkpoint's case", overrides);
+    const Case now = case_to_go_on_with(run_directory / "case.toml", checkpoint, overrides);
     const std::string changed = differences(before, now);
     if (!changed.empty() && allowed != Changes::any)
         throw InputError(

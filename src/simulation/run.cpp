@@ -20,7 +20,7 @@ namespace starling {
 namespace {
 
 constexpr Real largest_theory_reynolds = 1; ///< the one-dimensional model has no inertia
-constexpr int most_retries = 3;             ///< after breakdowns, each with half the step
+constexpr Real least_step_factor = 0.125;   ///< after three breakdowns, each halving it
 
 std::optional<TheoryReport> theory_of(const Case& c)
 {
@@ -74,6 +74,8 @@ public:
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
         files_.check_go_on(m);
+        for (const std::string& damage : files_.damaged_frames(m))
+            observer_.warn(damage + "; the run goes on, this frame stays as it is");
         remember(m);
         if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
@@ -155,8 +157,7 @@ private:
             step();
         } catch (const NumericalError& e) {
             const bool helps = e.breakdown().shorter_step_helps && !case_.time.step;
-            if (!helps || retries_ == most_retries) throw;
-            ++retries_;
+            if (!helps || step_factor_ <= least_step_factor) throw;
             simulation_.back_to_good();
             RunMemory m = good_memory_;
             m.step_factor = step_factor_ / 2;
@@ -281,7 +282,6 @@ private:
     Sample last_;
     RunMemory good_memory_; ///< of the last sound state
     Real step_factor_ = 1;
-    int retries_ = 0;
     std::optional<Vec3> breakdown_; ///< where the run ended
     double seconds_before_ = 0;     ///< real time before the run was resumed
     Index first_step_ = 0;

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "config/write_case.hpp"
+#include "output/frame_file.hpp"
 #include "output/profile.hpp"
 #include "output/replace_file.hpp"
 #include "output/sections.hpp"
@@ -69,6 +70,20 @@ void RunFiles::check_go_on(const RunMemory& m) const
     SeriesWriter::check_row(directory_.file("series.csv"), case_.scaling, m.last_row);
     FrameWriter::check(field_options(m.wall_frames), "wall");
     FrameWriter::check(field_options(m.fluid_frames), "fluid");
+}
+
+std::vector<std::string> RunFiles::damaged_frames(const RunMemory& m) const
+{
+    std::vector<std::string> found;
+    for (const auto& [of, count] : {std::pair{"wall", m.wall_frames}, {"fluid", m.fluid_frames}})
+        for (Index n = 0; n < count; ++n) {
+            try {
+                check_seal(directory_.path() / frame_name(of, n), frame_seal);
+            } catch (const InputError& e) {
+                found.emplace_back(e.what());
+            }
+        }
+    return found;
 }
 
 void RunFiles::go_on_from(const RunMemory& m, Real t, Index step)

@@ -43,6 +43,8 @@ public:
     bool complete(const RunMemory& memory, Index step) const;
     /// Throws InputError where the files do not reach up to the moment of `memory`.
     void check_go_on(const RunMemory& memory) const;
+    /// Why frames before the moment of `memory` cannot be read, a line for each.
+    std::vector<std::string> damaged_frames(const RunMemory& memory) const;
     /// Drops what was written after the moment of `memory`, at t and `step`, and goes on there.
     void go_on_from(const RunMemory& memory, Real t, Index step);
     /// Notes in `memory` how far the files are.
