@@ -575,7 +575,10 @@ def test_info_damaged(directory):
     for path, content in whole.items():
         if path.name in ("profile.csv", "sections.csv", "theory.csv"):
             continue  # written anew by every run that ends
-        path.write_bytes(content[:len(content) // 2 + 1])
+        half = len(content) // 2 + 1
+        if path.name == "case.toml":  # one cut off at the end of a line is a valid case
+            half = content.index(b" = ", half) + 3
+        path.write_bytes(content[:half])
         result = starling("info", out)
         expect_exit(result, 2)
         expect(f"{path.relative_to(out)}: " in result.stdout, path, "\n", result.stdout)
