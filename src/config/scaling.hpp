@@ -24,8 +24,10 @@ enum class Quantity {
     rate, ///< rate: 1/time
     density,
     viscosity,
-    flow_resistance, ///< pressure over flow rate
-    compliance       ///< volume over pressure
+    flow_resistance,    ///< pressure over flow rate
+    compliance,         ///< volume over pressure
+    stiffness_per_area, ///< pressure over length
+    damping_per_area    ///< pressure over velocity
 };
 
 /// Scales in SI; all 1 for dimensionless cases. Solver value times `factor` = value to print.

@@ -28,8 +28,12 @@ WallModel wall_model(const Case& c, Real delta)
     // The filter works as fast as waves of the grid's scale relax.
     const ContactParameters contact = {c.material.contact * shear_modulus(c.material, reynolds),
                                        contact_range * delta};
-    return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds), contact,
-            c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing};
+    return {make_material(c.material, reynolds),
+            bending_modulus(c.material, reynolds),
+            contact,
+            c.tube.mesh_filter / grid_wave_time(c, delta),
+            c.tube.smoothing,
+            c.material.support};
 }
 
 constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more

@@ -9,6 +9,17 @@ namespace {
 
 constexpr Real part_of_a_step = 1e-6; ///< differences below are round-off
 
+// Explicit springs and dampers: a force per area drives a velocity of about sqrt(Re dt)/5 within a
+// step dt where viscosity answers, less where inertia does. Stable up to 4.4/(k^2 Re)^(1/3) and
+// 30/(c^2 Re); less than half of that.
+void add_limits_of_support(std::vector<TimeStepLimit>& limits, const Case& c)
+{
+    const Real Re = c.fluid.reynolds, safety = c.time.safety;
+    const Real k = c.material.support.stiffness, damping = c.material.support.damping;
+    if (k > 0) limits.push_back({"tissue stiffness", safety * 2 / std::cbrt(k * k * Re)});
+    if (damping > 0) limits.push_back({"tissue damping", safety * 12 / (damping * damping * Re)});
+}
+
 } // namespace
 
 std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max)
@@ -43,6 +54,7 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
         limits.push_back(
             {"surface smoothing", safety * 0.4 * std::pow(edge, 4) / c.tube.smoothing});
     }
+    if (!c.tube.rigid) add_limits_of_support(limits, c);
     // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
     // u^2 dt < 2/Re, so the CFL number may rise to 0.5.
     const Real u = std::max(u_max, 1e-12);

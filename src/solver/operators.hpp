@@ -11,6 +11,7 @@
 #include "wall/mesh_filter.hpp"
 #include "wall/rigid_support.hpp"
 #include "wall/smoothing.hpp"
+#include "wall/tissue.hpp"
 
 namespace starling {
 
@@ -32,6 +33,7 @@ struct WallModel {
     ContactParameters contact;
     Real filter_rate = 0; ///< of the mesh filter (U_c/R_0)
     Real smoothing = 0;   ///< alpha of the smoothing velocity (U_c R_0^3)
+    TissueParameters tissue = {};
 };
 
 /// Holds references to `tube`, which must outlive it.
@@ -41,6 +43,7 @@ struct Operators {
     ElasticForce elastic;
     Bending bending;
     Contact contact;
+    Tissue tissue;
     RigidSupport support;
     Coupling coupling;
     Momentum momentum;
@@ -51,7 +54,7 @@ struct Operators {
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
         : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
-          contact(tube, wall.contact),
+          contact(tube, wall.contact), tissue(tube, wall.tissue),
           support(tube, supports_rigid_parts(scheme), fluid.reynolds, g.delta()),
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
           smoothing(tube, wall.smoothing), filter(tube, wall.filter_rate)

@@ -53,6 +53,15 @@ TEST(WriteCase, ReadsBackToTheSameBits)
     }
 }
 
+TEST(WriteCase, ReadsTissueAroundTheWallBackToTheSameBits)
+{
+    expect_round_trip(read_case_text(good_case, "good",
+                                     {"wall.support_stiffness=3.7", "wall.support_damping=0.11"}));
+    expect_round_trip(
+        read_case_text(good_si_case, "good",
+                       {"wall.support_stiffness=3.7 MPa/m", "wall.support_damping=1.3 kPa s/m"}));
+}
+
 TEST(WriteCase, ReadsADriveThatChangesInTimeBackToTheSameBits)
 {
     const std::vector<std::vector<std::string>> changes = {
