@@ -226,6 +226,8 @@ std::vector<KeyRule> wall_keys()
         {"wall", "contact", number,
          "pressure that keeps opposite walls apart when they touch, in G_s/R_0", none,
          closed(0, 10)},
+        {"wall", "surface_viscosity", measure, "viscosity mu_s in the plane of the wall",
+         Quantity::surface_viscosity, closed(0, 1e9)},
         {"wall", "support_stiffness", measure, "spring of the tissue around, per area",
          Quantity::stiffness_per_area, closed(0, 1e12)},
         {"wall", "support_damping", measure, "damper of the tissue around, per area",

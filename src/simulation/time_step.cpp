@@ -20,6 +20,15 @@ void add_limits_of_support(std::vector<TimeStepLimit>& limits, const Case& c)
     if (damping > 0) limits.push_back({"tissue damping", safety * 12 / (damping * damping * Re)});
 }
 
+// Explicit viscosity of the wall, on waves as short as the grid's spacing: stable up to
+// 0.83 Delta^3/mu_s.
+void add_limit_of_wall_viscosity(std::vector<TimeStepLimit>& limits, const Case& c, Real spacing)
+{
+    if (c.material.viscosity > 0)
+        limits.push_back(
+            {"wall viscosity", c.time.safety * 0.5 * std::pow(spacing, 3) / c.material.viscosity});
+}
+
 } // namespace
 
 std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max)
@@ -55,6 +64,7 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
             {"surface smoothing", safety * 0.4 * std::pow(edge, 4) / c.tube.smoothing});
     }
     if (!c.tube.rigid) add_limits_of_support(limits, c);
+    if (!c.tube.rigid) add_limit_of_wall_viscosity(limits, c, spacing);
     // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
     // u^2 dt < 2/Re, so the CFL number may rise to 0.5.
     const Real u = std::max(u_max, 1e-12);

@@ -109,6 +109,7 @@ Real PowerBalance::work_on_wall(const State& s)
     for (Index v = 0; v < U.size(); ++v) x_before_[v] = s.wall.x[v] - s.fluid.dt_before * U[v];
     geometry_.update(x_before_);
     op_->elastic.compute(x_before_, f_);
+    op_->viscosity.add(x_before_, U, f_);
     op_->bending.add(x_before_, geometry_, f_);
     op_->contact.add(x_before_, geometry_, f_);
     op_->tissue.add(x_before_, U, f_);

@@ -37,6 +37,7 @@ struct MaterialParameters {
     Real skalak_C = 1; ///< Skalak's area modulus over G_s
     Real contact = 0;  ///< pressure that keeps touching walls apart, in G_s/R_0; 0: none
     Real bending = 0;  ///< B = E_b/(R_0^2 G_s); 0: a membrane
+    Real viscosity = 0; ///< mu_s of the wall, in its plane (rho U_c R_0^2); 0: purely elastic
     TissueParameters support = {}; ///< tissue around the deforming part
 };
 

@@ -83,7 +83,8 @@ struct EveryModel : testing::TestWithParam<Model> {
                                  .scheme = GetParam().scheme,
                                  .E_b = 2,
                                  .contact = {.pressure = 1, .range = 1},
-                                 .tissue = {.stiffness = 10, .damping = 0.5}};
+                                 .tissue = {.stiffness = 10, .damping = 0.5},
+                                 .mu_s = 0.05};
 };
 
 TEST_P(EveryModel, OneAndTwoThreadsGiveTheSameBits)

@@ -11,6 +11,7 @@ struct CoupledParameters {
     Real E_b = 0; ///< bending modulus
     ContactParameters contact = {};
     TissueParameters tissue = {};
+    Real mu_s = 0; ///< membrane viscosity
     Real spacing = 0.3;
     Real pressure_ratio = 5;
     bool centred = false; ///< the tube's axis is the middle of the grid
@@ -31,8 +32,7 @@ struct Coupled {
                              {0, -2.5, -2.6}, {p.tube.length, 5, 5.2})
                       : box_around(p.spacing, p.tube.length)),
           tube(make_tube(p.tube, p.tube.edge_over_spacing * g.delta())),
-          op(g, tube,
-             {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing, p.tissue}, fluid,
+          op(g, tube, {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing, p.tissue, p.mu_s, 0.5}, fluid,
              {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
           w(g, tube), s(g, tube)
     {
