@@ -10,7 +10,7 @@ namespace starling::app {
 
 namespace {
 
-constexpr int most_threads = 1024;
+constexpr int most_threads = 1024, most_repeats = 1000;
 
 void add_overrides(CLI::App& command, CommandLine& line)
 {
@@ -106,6 +106,35 @@ void add_pictures(CLI::App& app, CommandLine& line)
     report->footer("The page is complete in itself: it opens offline and can be sent to others.");
 }
 
+void add_bench(CLI::App& app, CommandLine& line)
+{
+    CLI::App* bench = app.add_subcommand(
+        "bench", "Time whole steps and hold them against the machine's bandwidth of memory");
+    bench
+        ->add_option("--grid", line.grids,
+                     "Cells along x, y, z; may be repeated [256x96x96 and 512x240x240]")
+        ->option_text("NXxNYxNZ")
+        ->allow_extra_args(false);
+    bench
+        ->add_option("--wall", line.walls,
+                     "Vertices of the wall, or none; may be repeated [none and 17k, or 250k]")
+        ->option_text("none|17k|250k|N")
+        ->allow_extra_args(false);
+    bench->add_option("--threads", line.thread_counts, "Number of threads; may be repeated [1, 2]")
+        ->option_text("N")
+        ->allow_extra_args(false)
+        ->check(CLI::Range(1, most_threads));
+    bench->add_option("--repeats", line.repeats, "Repeats of each measurement [5]")
+        ->option_text("N")
+        ->check(CLI::Range(1, most_repeats));
+    bench->add_option("--json", line.json_file, "Write all numbers to FILE (docs/performance.md)")
+        ->option_text("FILE");
+    bench->add_flag("--quick", line.quick,
+                    "A small grid and little work, to see that it runs; the numbers say nothing");
+    bench->add_flag("--quiet", line.quiet, "Print the table only");
+    bench->footer("tools/compare_bench compares two such files.");
+}
+
 void add_others(CLI::App& app, CommandLine& line)
 {
     CLI::App* check = app.add_subcommand(
@@ -123,6 +152,7 @@ void add_others(CLI::App& app, CommandLine& line)
     cases->add_option("name", line.name, "Case to print")->option_text("NAME");
     add_readers(app, line);
     add_pictures(app, line);
+    add_bench(app, line);
 }
 
 std::vector<std::string> subcommand_names(const CLI::App& app)

@@ -21,6 +21,11 @@ struct CommandLine {
     std::string export_file;     ///< export --out
     std::string time;            ///< export --time; empty: the last
     std::string what;            ///< export --what: "wall", "fluid"; empty: by the file's name
+    std::vector<std::string> grids, walls; ///< bench --grid, --wall; empty: the usual ones
+    std::vector<int> thread_counts;        ///< bench --threads
+    int repeats = 0;                       ///< bench; 0: the usual number
+    bool quick = false;                    ///< bench
+    std::string json_file;                 ///< bench --json; empty: none
 };
 
 /// Thrown after --help or --version has been answered.

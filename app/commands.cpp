@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "bench.hpp"
 #include "config/read_case.hpp"
 #include "config/shipped_cases.hpp"
 #include "console.hpp"
@@ -160,6 +161,8 @@ void execute(const CommandLine& line)
         plot_command(line);
     else if (line.command == "report")
         report_command(line);
+    else if (line.command == "bench")
+        bench_command(line);
 }
 
 } // namespace starling::app

@@ -1,112 +1,96 @@
 #include "flow/cosine_transform.hpp"
 
+#include <algorithm>
+
+#include <fftw3.h>
+
 namespace starling {
 
-namespace {
+/// FFTW plans of all columns. Planned by estimate: measured plans differ from run to run, and with
+/// them the last bits of the result. From one array to another: estimated plans in place are
+/// slower, and some allocate in every call.
+struct CosineTransform::Plans {
+    Plans(Index n, Index columns)
+        : forward(plan(n, columns, FFTW_FORWARD)), backward(plan(n, columns, FFTW_BACKWARD))
+    {
+    }
+    ~Plans()
+    {
+        fftw_destroy_plan(forward);
+        fftw_destroy_plan(backward);
+    }
+    Plans(const Plans&) = delete;
+    Plans& operator=(const Plans&) = delete;
 
-constexpr Index wide = 16; ///< columns of a block of the product kept in registers
+    static fftw_complex* complex(Real* values) { return reinterpret_cast<fftw_complex*>(values); }
+    static fftw_plan plan(Index n, Index columns, int direction)
+    {
+        const int length = static_cast<int>(n), count = static_cast<int>(columns);
+        Array<Real> from(2 * n * columns), to(from.size());
+        return fftw_plan_many_dft(1, &length, count, complex(from.data()), nullptr, count, 1,
+                                  complex(to.data()), nullptr, count, 1, direction, FFTW_ESTIMATE);
+    }
 
-/// Block of out = A in: `rows` rows and `wide` columns, or `width` if it is not whole.
-template <Index rows, bool whole>
-void multiply_block(const Real* A, Index inner, const Real* in, Index in_stride, Real* out,
-                    Index out_stride, Index width)
+    fftw_plan forward, backward;
+};
+
+CosineTransform::CosineTransform(Index n, Index columns)
+    : n_(n), row_(2 * columns), cos_(n), sin_(n), plans_(std::make_unique<Plans>(n, columns))
 {
-    const Index columns = whole ? wide : width;
-    Real sum[rows][wide] = {};
-    for (Index j = 0; j < inner; ++j)
-        for (Index m = 0; m < rows; ++m) {
-            const Real a = A[m * inner + j];
+    for (Index m = 0; m < n; ++m) {
+        const Real phase = pi * static_cast<Real>(m) / (2 * static_cast<Real>(n));
+        cos_[m] = std::cos(phase);
+        sin_[m] = std::sin(phase);
+    }
+}
+
+CosineTransform::~CosineTransform() = default;
+
+// V is the Fourier transform of the rows in the order of row_at, w = exp(-i pi m/(2 n)). Of real
+// values, w V_m = X_m - i X_{n-m}. Of complex ones, with X = A + i B and q = n - m, therefore
+//     w_m V_m = (A_m + B_q) + i (B_m - A_q),   w_q V_q = (A_q + B_m) + i (B_q - A_m).
+void CosineTransform::forward(const Real* x, Real* work, Real* X) const
+{
+    // FFTW takes no const pointer, but leaves its input alone.
+    fftw_execute_dft(plans_->forward, Plans::complex(const_cast<Real*>(x)), Plans::complex(work));
+    std::copy_n(work, row_, X);
+    for (Index m = 1; m <= n_ / 2; ++m) {
+        const Index q = n_ - m;
+        const Real *V_m = work + m * row_, *V_q = work + q * row_;
+        Real *X_m = X + m * row_, *X_q = X + q * row_;
+        const Real c = cos_[m] / 2, s = sin_[m] / 2;
 #pragma omp simd
-            for (Index k = 0; k < columns; ++k) sum[m][k] += a * in[j * in_stride + k];
-        }
-    for (Index m = 0; m < rows; ++m)
-        for (Index k = 0; k < columns; ++k) out[m * out_stride + k] = sum[m][k];
-}
-
-/// The block's columns of out = A in, for a matrix of `height` rows and `inner` columns.
-template <bool whole>
-void multiply_columns(const Real* A, Index height, Index inner, const Real* in, Index in_stride,
-                      Real* out, Index out_stride, Index width)
-{
-    Index m = 0;
-    for (; m + 4 <= height; m += 4)
-        multiply_block<4, whole>(A + m * inner, inner, in, in_stride, out + m * out_stride,
-                                 out_stride, width);
-    for (; m < height; ++m)
-        multiply_block<1, whole>(A + m * inner, inner, in, in_stride, out + m * out_stride,
-                                 out_stride, width);
-}
-
-/// out = A in for a matrix of `height` rows and `inner` columns and `width` right-hand sides; the
-/// last block overlaps the one before it, so that all are whole.
-void multiply(const Real* A, Index height, Index inner, const Real* in, Index in_stride, Real* out,
-              Index out_stride, Index width)
-{
-    if (width < wide)
-        return multiply_columns<false>(A, height, inner, in, in_stride, out, out_stride, width);
-    for (Index next = 0; next < width; next += wide) {
-        const Index k = std::min(next, width - wide);
-        multiply_columns<true>(A, height, inner, in + k, in_stride, out + k, out_stride, wide);
-    }
-}
-
-} // namespace
-
-CosineTransform::CosineTransform(Index n)
-    : n_(n), half_((n + 1) / 2), even_(half_ * half_), odd_((n / 2) * half_),
-      even_back_(half_ * half_), odd_back_(half_ * (n / 2))
-{
-    const auto cosine = [n](Index m, Index j) {
-        return std::cos(pi * static_cast<Real>(m) * (static_cast<Real>(j) + 0.5) /
-                        static_cast<Real>(n));
-    };
-    const Real scale = 1 / static_cast<Real>(n);
-    for (Index j = 0; j < half_; ++j) {
-        for (Index m = 0; m < half_; ++m) {
-            even_[m * half_ + j] = cosine(2 * m, j);
-            even_back_[j * half_ + m] = (m == 0 ? 1 : 2) * scale * cosine(2 * m, j);
-        }
-        for (Index m = 0; m < n / 2; ++m) {
-            odd_[m * half_ + j] = cosine(2 * m + 1, j);
-            odd_back_[j * (n / 2) + m] = 2 * scale * cosine(2 * m + 1, j);
+        for (Index k = 0; k < row_; k += 2) {
+            const Real re_m = c * V_m[k] + s * V_m[k + 1], im_m = c * V_m[k + 1] - s * V_m[k];
+            const Real re_q = s * V_q[k] + c * V_q[k + 1], im_q = s * V_q[k + 1] - c * V_q[k];
+            X_m[k] = re_m - im_q;
+            X_m[k + 1] = re_q + im_m;
+            X_q[k] = re_q - im_m;
+            X_q[k + 1] = re_m + im_q;
         }
     }
 }
 
-// With e_j = x_j + x_{n-1-j} and o_j = x_j - x_{n-1-j}, even m need e alone and
-// odd m need o.
-void CosineTransform::forward(const Real* x, Index x_stride, Real* X, Index X_stride, Index width,
-                              Real* scratch) const
+void CosineTransform::backward(const Real* X, Real* work, Real* x) const
 {
-    Real *e = scratch, *o = scratch + half_ * width;
-    for (Index j = 0; j < half_; ++j) {
-        const Real *a = x + j * x_stride, *b = x + (n_ - 1 - j) * x_stride;
-        const bool middle = n_ - 1 - j == j;
+    const Real scale = 1 / static_cast<Real>(n_);
+    for (Index k = 0; k < row_; ++k) work[k] = scale * X[k];
+    for (Index m = 1; m <= n_ / 2; ++m) {
+        const Index q = n_ - m;
+        const Real *X_m = X + m * row_, *X_q = X + q * row_;
+        Real *V_m = work + m * row_, *V_q = work + q * row_;
+        const Real c = scale * cos_[m], s = scale * sin_[m];
 #pragma omp simd
-        for (Index k = 0; k < width; ++k) {
-            e[j * width + k] = middle ? a[k] : a[k] + b[k];
-            o[j * width + k] = a[k] - b[k];
+        for (Index k = 0; k < row_; k += 2) {
+            const Real re_m = X_m[k] + X_q[k + 1], im_m = X_m[k + 1] - X_q[k];
+            const Real re_q = X_q[k] + X_m[k + 1], im_q = X_q[k + 1] - X_m[k];
+            V_m[k] = c * re_m - s * im_m;
+            V_m[k + 1] = c * im_m + s * re_m;
+            V_q[k] = s * re_q - c * im_q;
+            V_q[k + 1] = s * im_q + c * re_q;
         }
     }
-    multiply(even_.data(), half_, half_, e, width, X, 2 * X_stride, width);
-    multiply(odd_.data(), n_ / 2, half_, o, width, X + X_stride, 2 * X_stride, width);
-}
-
-void CosineTransform::backward(const Real* X, Index X_stride, Real* x, Index x_stride, Index width,
-                               Real* scratch) const
-{
-    Real *e = scratch, *o = scratch + half_ * width;
-    multiply(even_back_.data(), half_, half_, X, 2 * X_stride, e, width, width);
-    multiply(odd_back_.data(), half_, n_ / 2, X + X_stride, 2 * X_stride, o, width, width);
-    for (Index j = 0; j < half_; ++j) {
-        Real *a = x + j * x_stride, *b = x + (n_ - 1 - j) * x_stride;
-#pragma omp simd
-        for (Index k = 0; k < width; ++k) {
-            const Real even = e[j * width + k], odd = o[j * width + k];
-            b[k] = even - odd;
-            a[k] = even + odd;
-        }
-    }
+    fftw_execute_dft(plans_->backward, Plans::complex(work), Plans::complex(x));
 }
 
 } // namespace starling

@@ -1,34 +1,39 @@
 #pragma once
 /// The cosine transform along y of the Poisson solver.
+#include <memory>
+
 #include "core/array.hpp"
 
 namespace starling {
 
-/// Transforms n values along one direction for `width` columns at once:
-///     X_m = sum_j x_j cos(pi m (j + 1/2)/n),   x_j = (X_0 + 2 sum_{m>0} X_m
-///     cos(...))/n,
-/// the eigenvectors of the second difference with zero normal derivative half a
-/// cell outside. Each is a product with a dense matrix, halved by the symmetry
-/// of the cosines about the middle and vectorised across the columns: it
-/// allocates nothing, and up to about a hundred values it is faster than a
-/// scalar fast transform.
+/// Transforms n complex values along one direction for `columns` columns at once:
+///     X_m = sum_j x_j cos(pi m (j + 1/2)/n),   x_j = (X_0 + 2 sum_{m>0} X_m cos(...))/n,
+/// the eigenvectors of the second difference with zero normal derivative half a cell outside. Real
+/// and imaginary parts are transformed alike, by one complex Fourier transform of length n.
+/// Source: Makhoul, IEEE Trans. Acoust. Speech Signal Process. 28 (1980), 27-34.
 class CosineTransform {
 public:
-    explicit CosineTransform(Index n);
+    CosineTransform(Index n, Index columns);
+    ~CosineTransform();
+    CosineTransform(const CosineTransform&) = delete;
+    CosineTransform& operator=(const CosineTransform&) = delete;
 
-    /// From n rows of `width` values, each so many `stride` apart, to others or,
-    /// where both strides agree, in place. `scratch` holds (n + 1) * width
-    /// values.
-    void forward(const Real* x, Index x_stride, Real* X, Index X_stride, Index width,
-                 Real* scratch) const;
-    void backward(const Real* X, Index X_stride, Real* x, Index x_stride, Index width,
-                  Real* scratch) const;
+    /// The row of x that lies at place m. The transform takes those of even number upwards, then
+    /// those of odd number downwards.
+    Index row_at(Index m) const { return m < (n_ + 1) / 2 ? 2 * m : 2 * (n_ - 1 - m) + 1; }
+
+    /// All arrays hold n rows of `columns` values, real and imaginary parts alternating, and begin
+    /// at a multiple of 16 bytes; the rows of x in the order of `row_at`. X may be x.
+    void forward(const Real* x, Real* work, Real* X) const;
+    /// The inverse.
+    void backward(const Real* X, Real* work, Real* x) const;
 
 private:
-    Index n_, half_; ///< half_: rows up to and including the middle one
-    /// cos(pi m (j + 1/2)/n) for j < half_: even m, then odd m; [m/2][j] forward,
-    /// [j][m/2] with the factors of the inverse backward.
-    Array<Real> even_, odd_, even_back_, odd_back_;
+    struct Plans;
+
+    Index n_, row_;         ///< row_: reals in a row
+    Array<Real> cos_, sin_; ///< of pi m/(2 n)
+    std::unique_ptr<Plans> plans_;
 };
 
 } // namespace starling

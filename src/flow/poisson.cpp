@@ -6,18 +6,16 @@
 
 namespace starling {
 
-/// FFTW plans of the rows of one x-plane. Planned by estimate: measured plans
-/// differ from run to run, and with them the last bits of the result.
+/// FFTW plans of the rows of one x-plane, from one array to another. Planned by estimate: measured
+/// plans differ from run to run, and with them the last bits of the result.
 struct Poisson::Plans {
-    Plans(Index ny, Index nz, Real* plane)
+    Plans(Index ny, Index nz, Real* plane, Real* spectrum)
     {
-        const int n_y = static_cast<int>(ny), n_z = static_cast<int>(nz);
-        const int half = n_z / 2 + 1;
-        auto* spectrum = reinterpret_cast<fftw_complex*>(plane);
-        forward = fftw_plan_many_dft_r2c(1, &n_z, n_y, plane, nullptr, 1, 2 * half, spectrum,
-                                         nullptr, 1, half, FFTW_ESTIMATE);
-        backward = fftw_plan_many_dft_c2r(1, &n_z, n_y, spectrum, nullptr, 1, half, plane, nullptr,
-                                          1, 2 * half, FFTW_ESTIMATE);
+        const int n_y = static_cast<int>(ny), n_z = static_cast<int>(nz), half = n_z / 2 + 1;
+        forward = fftw_plan_many_dft_r2c(1, &n_z, n_y, plane, nullptr, 1, 2 * half,
+                                         complex(spectrum), nullptr, 1, half, FFTW_ESTIMATE);
+        backward = fftw_plan_many_dft_c2r(1, &n_z, n_y, complex(spectrum), nullptr, 1, half, plane,
+                                          nullptr, 1, 2 * half, FFTW_ESTIMATE);
     }
     ~Plans()
     {
@@ -26,6 +24,8 @@ struct Poisson::Plans {
     }
     Plans(const Plans&) = delete;
     Plans& operator=(const Plans&) = delete;
+
+    static fftw_complex* complex(Real* values) { return reinterpret_cast<fftw_complex*>(values); }
 
     fftw_plan forward, backward;
 };
@@ -43,53 +43,39 @@ Real second_difference(Real phase, Real h)
 } // namespace
 
 Poisson::Poisson(const Grid& g)
-    : grid_(g), row_(2 * (g.nz() / 2 + 1)), transformed_(g.cell_count()),
-      diagonal_(g.ny() * g.nz()), diagonal_at_end_(g.ny() * g.nz()),
-      scratch_size_((2 * g.ny() + 1) * row_), scratch_(scratch_size_ * max_threads()),
-      cosine_(g.ny()), lines_(g.nx()),
-      plans_(std::make_unique<Plans>(g.ny(), g.nz(), scratch_.data()))
+    : grid_(g), row_(2 * (g.nz() / 2 + 1)), transformed_(g.nx() * g.ny() * row_),
+      diagonal_(g.ny() * row_), diagonal_at_end_(g.ny() * row_), cosine_(g.ny(), row_ / 2),
+      plane_size_(g.ny() * row_), scratch_(2 * plane_size_ * max_threads()), lines_(g.nx()),
+      plans_(
+          std::make_unique<Plans>(g.ny(), g.nz(), scratch_.data(), scratch_.data() + plane_size_))
 {
     const Real ax = 1 / (g.spacing().x * g.spacing().x);
-    Array<Real> lambda_y(g.ny()), lambda_z(g.nz());
-    for (Index j = 0; j < g.ny(); ++j)
-        lambda_y[j] =
-            second_difference(pi * static_cast<Real>(j) / static_cast<Real>(g.ny()), g.spacing().y);
-    for (Index k = 0; k < g.nz(); ++k) {
-        const Index wave = (k + 1) / 2;
-        lambda_z[k] = second_difference(
-            2 * pi * static_cast<Real>(wave) / static_cast<Real>(g.nz()), g.spacing().z);
-    }
-    for (Index j = 0; j < g.ny(); ++j)
-        for (Index k = 0; k < g.nz(); ++k) {
-            diagonal_[j * g.nz() + k] = lambda_y[j] - 2 * ax + lambda_z[k];
-            diagonal_at_end_[j * g.nz() + k] = lambda_y[j] - 2 * ax - ax + lambda_z[k];
+    for (Index j = 0; j < g.ny(); ++j) {
+        const Real phase_y = pi * static_cast<Real>(j) / static_cast<Real>(g.ny());
+        for (Index k = 0; k < row_; ++k) {
+            const Real phase_z = 2 * pi * static_cast<Real>(k / 2) / static_cast<Real>(g.nz());
+            const Real lambda = second_difference(phase_y, g.spacing().y) +
+                                second_difference(phase_z, g.spacing().z);
+            diagonal_[j * row_ + k] = lambda - 2 * ax;
+            diagonal_at_end_[j * row_ + k] = lambda - 3 * ax;
         }
+    }
 }
 
 Poisson::~Poisson() = default;
 
-// The spectrum of a row begins with the mean and a zero and ends, if nz is
-// even, with another zero. With the mean moved to the place of the first zero,
-// the nz values that count lie side by side.
 void Poisson::transform_forward(Real* plane, Index i)
 {
-    const Index ny = grid_.ny(), nz = grid_.nz();
-    fftw_execute_dft_r2c(plans_->forward, plane, reinterpret_cast<fftw_complex*>(plane));
-    for (Index j = 0; j < ny; ++j) plane[j * row_ + 1] = plane[j * row_];
-    cosine_.forward(plane + 1, row_, &transformed_[i * ny * nz], nz, nz, plane + ny * row_);
+    Real* spectrum = plane + plane_size_;
+    fftw_execute_dft_r2c(plans_->forward, plane, Plans::complex(spectrum));
+    cosine_.forward(spectrum, plane, &transformed_[i * plane_size_]);
 }
 
 void Poisson::transform_backward(Index i, Real* plane)
 {
-    const Index ny = grid_.ny(), nz = grid_.nz();
-    cosine_.backward(&transformed_[i * ny * nz], nz, plane + 1, row_, nz, plane + ny * row_);
-    for (Index j = 0; j < ny; ++j) {
-        Real* row = plane + j * row_;
-        row[0] = row[1];
-        row[1] = 0;
-        if (nz % 2 == 0) row[nz + 1] = 0;
-    }
-    fftw_execute_dft_c2r(plans_->backward, reinterpret_cast<fftw_complex*>(plane), plane);
+    Real* spectrum = plane + plane_size_;
+    cosine_.backward(&transformed_[i * plane_size_], plane, spectrum);
+    fftw_execute_dft_c2r(plans_->backward, Plans::complex(spectrum), plane);
 }
 
 void Poisson::solve_transformed(ScalarField& phi)
@@ -97,8 +83,7 @@ void Poisson::solve_transformed(ScalarField& phi)
     const Real ax = 1 / (grid_.spacing().x * grid_.spacing().x);
     const Real *interior = diagonal_.data(), *at_end = diagonal_at_end_.data();
     const Index last = grid_.nx() - 1;
-    const Index plane_size = grid_.ny() * grid_.nz();
-    lines_.solve(transformed_.data(), plane_size, grid_.nx(), plane_size,
+    lines_.solve(transformed_.data(), plane_size_, grid_.nx(), plane_size_,
                  [=](Index i, Index column) {
                      const Real* diagonal = (i == 0 || i == last ? at_end : interior) + column;
                      return [=](Index k) { return TridiagonalRow{ax, diagonal[k], ax}; };
@@ -110,9 +95,9 @@ void Poisson::solve_transformed(ScalarField& phi)
     for_planes(0, grid_.nx(), [=, this](Index i) {
         Real* plane = scratch_plane();
         transform_backward(i, plane);
-        for (Index j = 0; j < ny; ++j) {
-            Real* row = &f(i, j, 0);
-            const Real* from = plane + j * row_;
+        for (Index m = 0; m < ny; ++m) {
+            Real* row = &f(i, cosine_.row_at(m), 0);
+            const Real* from = plane + m * row_;
 #pragma omp simd
             for (Index k = 0; k < nz; ++k) row[k] = scale * from[k];
         }

@@ -28,8 +28,9 @@ public:
         for_planes(0, grid_.nx(), [=, this](Index i) {
             const Rhs plane_rhs = rhs; // local, so that the loop vectorises
             Real* plane = scratch_plane();
-            for (Index j = 0; j < ny; ++j) {
-                Real* row = plane + j * row_;
+            for (Index m = 0; m < ny; ++m) {
+                Real* row = plane + m * row_;
+                const Index j = cosine_.row_at(m);
 #pragma omp simd
                 for (Index k = 0; k < nz; ++k) row[k] = plane_rhs(i, j, k);
             }
@@ -40,20 +41,20 @@ public:
 
 private:
     struct Plans;
-    /// The calling thread's plane of ny rows, row_ apart.
-    Real* scratch_plane() { return scratch_.data() + scratch_size_ * thread_number(); }
+    /// The calling thread's plane, its rows in the order of the cosine transform, and another.
+    Real* scratch_plane() { return scratch_.data() + 2 * plane_size_ * thread_number(); }
     void transform_forward(Real* plane, Index i);
     void transform_backward(Index i, Real* plane);
     void solve_transformed(ScalarField& phi);
 
     Grid grid_;
-    Index row_;                   ///< reals per row for FFTW: 2 (nz/2 + 1)
-    Array<Real> transformed_;     ///< nx planes of ny rows of nz values
+    Index row_;                   ///< reals in a row of the spectrum: 2 (nz/2 + 1)
+    Array<Real> transformed_;     ///< nx planes of ny rows
     Array<Real> diagonal_;        ///< of the lines along x, per transformed value of a plane
     Array<Real> diagonal_at_end_; ///< the same in the first and the last plane
-    Index scratch_size_;          ///< reals per thread
-    Array<Real> scratch_;
     CosineTransform cosine_;
+    Index plane_size_; ///< reals in ny rows
+    Array<Real> scratch_;
     XLines lines_;
     std::unique_ptr<Plans> plans_;
 };

@@ -110,6 +110,7 @@ void write_state(hdf5::File& file, const State& s)
     file.write("/wall/x", {vertices, 3}, as_reals(s.wall.x), full);
     file.write("/wall/velocity", {vertices, 3}, as_reals(s.wall.velocity), full);
     file.write("/wall/support", {vertices, 3}, as_reals(s.wall.support), full);
+    file.write("/wall/support_rate", {vertices, 3}, as_reals(s.wall.support_rate), full);
     file.write("/wall/passing", {vertices, 3}, as_reals(s.wall.passing), full);
 }
 
@@ -203,7 +204,7 @@ bool is_finite(const State& s)
                   std::isfinite(s.fluid.kinetic_energy) &&
                   std::isfinite(s.fluid.kinetic_energy_before) && all_finite(as_reals(s.wall.x)) &&
                   all_finite(as_reals(s.wall.velocity)) && all_finite(as_reals(s.wall.support)) &&
-                  all_finite(as_reals(s.wall.passing));
+                  all_finite(as_reals(s.wall.support_rate)) && all_finite(as_reals(s.wall.passing));
     for_fields(s.fluid, [&](const std::string&, const ScalarField& f) {
         finite = finite && all_finite(f.values().span());
     });
@@ -268,6 +269,7 @@ void CheckpointFile::read(State& s) const
         file.read("/wall/x", as_reals(s.wall.x));
         file.read("/wall/velocity", as_reals(s.wall.velocity));
         file.read("/wall/support", as_reals(s.wall.support));
+        file.read("/wall/support_rate", as_reals(s.wall.support_rate));
         file.read("/wall/passing", as_reals(s.wall.passing));
         for (std::size_t c = 0; c < 3; ++c)
             read_ghosts(file, s.ghosts[c], std::string("/ghosts/") + component_names[c]);

@@ -23,6 +23,8 @@ Tube make_tube(const Case& c, const Grid& g)
 
 constexpr Real contact_range = 2; ///< gap below which walls repel each other, in grid spacings
 
+} // namespace
+
 WallModel wall_model(const Case& c, Real delta)
 {
     const Real reynolds = c.fluid.reynolds;
@@ -33,6 +35,8 @@ WallModel wall_model(const Case& c, Real delta)
             c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing,
             c.material.support, c.material.viscosity, small_strain_poisson_ratio(c.material)};
 }
+
+namespace {
 
 constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more
 constexpr Real half_slab_in_spacings = 6;
@@ -145,6 +149,8 @@ struct Simulation::Impl {
         if (state.step % steps_between_checks == 0) {
             soundness.check_walls();
             check_speed_and_step();
+        } else if (state.step < steps_between_checks) {
+            check_speed_and_step(); // the drive may have been switched on
         }
     }
 };

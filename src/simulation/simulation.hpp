@@ -13,6 +13,10 @@
 namespace starling {
 
 struct State;
+struct WallModel;
+
+/// What the wall of a case resists with, on a grid of spacing `delta`.
+WallModel wall_model(const Case& c, Real delta);
 
 /// Seconds spent in one phase of the step.
 struct PhaseTime {

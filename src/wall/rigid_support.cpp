@@ -25,28 +25,40 @@ void RigidSupport::apply(const Geometry& geometry, const WallState& wall, Real d
                   [=](Index v) { force[v] = support[v] - inertia * norm(area[v]) * passing[v]; });
 }
 
-// The waves are those of the pressure f/|A|: vertices on the edges have less area.
 void RigidSupport::hold(const Geometry& geometry, WallState& wall, Real dt)
 {
     const Vec3* area = geometry.vertex_area().data();
-    Vec3 *f = wall.support.data(), *U = wall.velocity.data(), *passing = wall.passing.data();
-    const Real gain = 4 / std::sqrt(reynolds_ * dt);
+    Vec3 *f = wall.support.data(), *rate = wall.support_rate.data(), *U = wall.velocity.data(),
+         *passing = wall.passing.data();
+    const Real gain = 4 / std::sqrt(reynolds_ * dt), inertia = delta_ / (2 * dt);
+    const Real learning = gain / (gain + inertia) / 16;
     for (HighPass& part : parts_) {
-        const Index first = part.first(), last = part.last();
-        Across* waves = part.values();
-        for_range(first, last, [=](Index v) {
-            f[v] -= gain * norm(area[v]) * U[v];
+        for_range(part.first(), part.last(), [=](Index v) {
+            const Vec3 answer = -gain * norm(area[v]) * U[v];
+            f[v] += dt * rate[v] + answer;
+            rate[v] += (learning / dt) * answer;
             passing[v] = U[v];
             U[v] = {};
-            const Real inverse = 1 / norm(area[v]);
-            waves[v - first] = {inverse * f[v].y, inverse * f[v].z};
         });
-        part.apply();
-        for_range(first, last, [=](Index v) {
-            const Across& p = waves[v - first];
-            f[v] -= norm(area[v]) * Vec3{0, p.y, p.z};
-        });
+        take_out_waves(part, area, f);
+        take_out_waves(part, area, rate);
     }
+}
+
+// The waves are those of the pressure f/|A|: vertices on the edges have less area.
+void RigidSupport::take_out_waves(HighPass& part, const Vec3* area, Vec3* f)
+{
+    const Index first = part.first(), last = part.last();
+    Across* waves = part.values();
+    for_range(first, last, [=](Index v) {
+        const Real inverse = 1 / norm(area[v]);
+        waves[v - first] = {inverse * f[v].y, inverse * f[v].z};
+    });
+    part.apply();
+    for_range(first, last, [=](Index v) {
+        const Across& p = waves[v - first];
+        f[v] -= norm(area[v]) * Vec3{0, p.y, p.z};
+    });
 }
 
 } // namespace starling

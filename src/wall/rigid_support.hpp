@@ -8,11 +8,12 @@ namespace starling {
 /// Forces on the fluid at the vertices of the rigid parts, f - (Delta/2 dt) |A| U. Every step
 /// answers the flow U that passes such a vertex with more force, and takes out the waves that the
 /// fluid cannot see,
-///     f <- (1 - H) (f - 4/sqrt(Re dt) |A| U),
+///     f <- (1 - H) (f + dt f' - 4/sqrt(Re dt) |A| U),
 /// so that f comes to rest where no fluid passes the wall. The pressure added is that which stops a
 /// layer as thick as viscosity reaches in a step; the part with Delta, half of what stops a layer
-/// of one spacing, damps what inertia would make swing. A load that changes is followed with a lag
-/// of a few steps. Derivation and stability: docs/numerics.md.
+/// of one spacing, damps what inertia would make swing. The rate f' learns from the same flow: a
+/// load that changes steadily is followed without a lag. Derivation and stability:
+/// docs/numerics.md.
 class RigidSupport {
 public:
     /// `tube` must outlive this. A tube that is rigid all along is left to ghost nodes, and so are
@@ -26,6 +27,8 @@ public:
     void hold(const Geometry& geometry, WallState& wall, Real dt);
 
 private:
+    static void take_out_waves(HighPass& part, const Vec3* area, Vec3* f);
+
     Real reynolds_, delta_;
     std::vector<HighPass> parts_; ///< one for each rigid part, none without support
 };

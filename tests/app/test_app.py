@@ -60,7 +60,7 @@ def wait_for(condition, seconds=60):
 
 def test_help(_):
     for command in ([], ["run"], ["resume"], ["check"], ["theory"], ["cases"], ["plot"],
-                    ["info"], ["export"], ["report"]):
+                    ["info"], ["export"], ["report"], ["bench"]):
         result = starling(*command, "--help")
         expect_exit(result, 0)
         expect("Usage: starling" in result.stdout, command, result.stdout)
@@ -715,6 +715,136 @@ def test_plot(directory):
     (out / "profile.csv").unlink()  # as after a kill
     (out / "summary.json").unlink()
     expect_exit(starling("plot", out), 0)
+
+
+FLUID_PHASES = ["momentum", "pressure"]
+COUPLED_PHASES = ["wall force", "element search", "ghost nodes", "spread", *FLUID_PHASES, "wall motion"]
+
+
+def check_timing(timing, repeats):
+    expect(len(timing["repeats"]) == repeats, timing)
+    expect(0 < timing["min"] == min(timing["repeats"]) <= timing["median"] <= max(timing["repeats"]),
+           timing)
+
+
+def check_bench_row(row, bench):
+    phases = row["phase_seconds_per_step"]
+    expect(list(phases) == (FLUID_PHASES if row["wall"] == "none" else COUPLED_PHASES), phases)
+    step = row["seconds_per_step"]
+    for timing in (step, *phases.values()):
+        check_timing(timing, 2)
+    for n, seconds in enumerate(step["repeats"]):
+        parts = sum(p["repeats"][n] for p in phases.values())
+        expect(math.isclose(parts, seconds, rel_tol=1e-9), row)
+    rate = row["cell_steps_per_second"]
+    expect(math.isclose(rate["max"], row["cells"] / step["min"]), row)
+    expect(math.isclose(rate["median"], row["cells"] / step["median"]), row)
+    triad = {t["threads"]: t["bytes_per_second"]["max"] for t in bench["machine"]["triad"]}
+    share = rate["max"] * bench["traffic"]["bytes_per_cell_step"] / triad[row["threads"]]
+    expect(math.isclose(row["share_of_bandwidth_bound"], share), row)
+    check_bench_memory(row)
+
+
+def check_bench_memory(row):
+    cells, vertices = math.prod(row["grid"]), row["vertices"]
+    expect(row["cells"] == cells and row["allocated_bytes"] > 100 * cells, row)
+    if row["wall"] == "none":
+        expect(vertices == 0 and row["bytes_per_vertex"] is None, row)
+    else:
+        expect(abs(vertices / float(row["wall"]) - 1) < 0.1 and row["bytes_per_vertex"] > 100, row)
+    parts = cells * row["bytes_per_cell"] + vertices * (row["bytes_per_vertex"] or 0)
+    expect(math.isclose(parts, row["allocated_bytes"], rel_tol=1e-6), row)
+
+
+def test_bench(directory):
+    """The table and the JSON of a small measurement; no speed is asked for."""
+    path = directory / "bench.json"
+    result = starling("bench", "--quick", "--grid", "32x24x24", "--grid", "24x20x18", "--wall", "none",
+                      "--wall", "950", "--threads", "1", "--threads", "2", "--repeats", "2",
+                      "--json", path)
+    expect_exit(result, 0)
+    bench = json.loads(path.read_text(encoding="utf-8"))
+    expect(bench["format"] == "starling bench 1" and bench["version"] in starling("--version").stdout,
+           bench)
+    expect([t["threads"] for t in bench["machine"]["triad"]] == [1, 2], bench["machine"])
+    passes = sum(k["reads"] + k["writes"] for k in bench["traffic"]["kernels"])
+    expect(8 * passes == bench["traffic"]["bytes_per_cell_step"], bench["traffic"])
+    expect([(r["grid"], r["wall"], r["threads"]) for r in bench["rows"]] ==
+           [(g, w, t) for g in ([32, 24, 24], [24, 20, 18]) for w in ("none", "950") for t in (1, 2)],
+           bench["rows"])
+    for row in bench["rows"]:
+        check_bench_row(row, bench)
+        expect(f"{row['cell_steps_per_second']['max'] / 1e6:.1f} M cell-steps/s" in result.stdout,
+               result.stdout)
+    for words in ("4 of 4: 24x20x18, wall of 950", "in-place triad, 2 threads", "24x20x18, fluid alone",
+                  *COUPLED_PHASES):
+        expect(words in result.stdout, words, result.stdout)
+
+
+def test_bench_refusal(directory):
+    missing = directory / "missing" / "bench.json"
+    for arguments, words in (
+            (["--grid", "32x24"], '"32x24"'), (["--grid", "32x24x0"], "from 16"),
+            (["--grid", "32x24x24x24"], "NXxNYxNZ"), (["--grid", "16x96x96"], "too short"),
+            (["--wall", "many"], '"many"'), (["--wall", "199"], "from 200"), (["--wall", "-k"], '"-k"'),
+            (["--grid", "90000x20000x20000"], "GB are free"), (["--json", missing], str(missing)),
+            (["--threads", "0"], "--threads"), (["--repeats", "0"], "--repeats"), (["--qick"], '"--quick"')):
+        result = starling("bench", "--quick", *arguments)
+        expect_exit(result, 2)
+        expect(words in result.stderr, arguments, "should say", words, "but says", result.stderr)
+        expect(result.stdout == "", arguments, "printed", result.stdout)
+
+
+def bench_file(path, scale, **changes):
+    """A file of `starling bench` with made-up times."""
+    def timing(seconds):
+        return {"min": min(seconds), "median": sorted(seconds)[1], "repeats": seconds}
+
+    row = {"grid": [32, 24, 24], "wall": "none", "threads": 1, "bytes_per_cell": 120,
+           "cell_steps_per_second": {"max": 1e7 / scale, "median": 1e7 / scale},
+           "seconds_per_step": timing([scale * s for s in (0.10, 0.13, 0.11)]),
+           "phase_seconds_per_step": {"momentum": timing([0.05, 0.06, 0.07]),
+                                      "pressure": timing([scale * s for s in (0.04, 0.045, 0.05)])}}
+    triad = {"threads": 1, "bytes_per_second": {"max": 2e10, "median": 1.9e10}}
+    bench = {"format": "starling bench 1", "version": "0", "rows": [{**row, **changes}],
+             "machine": {"processors": 2, "load_before": 0, "load_after": 0, "triad": [triad]}}
+    path.write_text(json.dumps(bench), encoding="utf-8")
+    return path
+
+
+def compare_bench(*files):
+    return subprocess.run(["/usr/bin/python3", SOURCE / "tools" / "compare_bench", *files],
+                          capture_output=True, text=True, check=False)
+
+
+def test_compare_bench(directory):
+    before = bench_file(directory / "before.json", 1)
+    slower = bench_file(directory / "slower.json", 1.4)
+    a_little = bench_file(directory / "a_little.json", 1.2)
+    result = compare_bench(before, slower)
+    expect_exit(result, 0)
+    lines = {line.split()[0]: line for line in result.stdout.splitlines()}
+    expect(lines["step"].split()[1:] == ["100.000", "140.000", "1.400", "1.400", "slower"], lines)
+    expect(lines["momentum"].split()[3:] == ["1.000", "1.000"], lines)
+    expect(lines["pressure"].endswith("slower"), lines)
+    expect("10.0 M cell-steps/s -> 7.1 M cell-steps/s" in result.stdout, result.stdout)
+    expect("faster" in compare_bench(slower, before).stdout, "the other way round")
+    within = compare_bench(before, a_little).stdout
+    expect("slower" not in within and "1.200" in within, within)
+    expect_exit(starling("bench", "--quick", "--repeats", "1", "--json", directory / "real.json"), 0)
+    itself = compare_bench(directory / "real.json", directory / "real.json")
+    expect_exit(itself, 0)
+    expect("wall motion" in itself.stdout and "slower" not in itself.stdout, itself.stdout)
+    other = bench_file(directory / "other.json", 1, threads=2)
+    broken = directory / "broken.json"
+    broken.write_text('{"format": "starling bench 1"}', encoding="utf-8")
+    no_bench = directory / "no_bench.json"
+    no_bench.write_text("[]", encoding="utf-8")
+    for file, words in ((other, "no row in common"), (broken, "incomplete"), (no_bench, "format"),
+                        (directory / "missing.json", "missing.json")):
+        result = compare_bench(before, file)
+        expect_exit(result, 2)
+        expect(words in result.stderr, result.stderr)
 
 
 def main():

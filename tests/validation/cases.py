@@ -62,6 +62,10 @@ LAWS = {
     "Skalak, C = 1": inflation(4, law="skalak", eps=0.01),
 }
 
+# Three times as long as it takes to be steady; never steady enough.
+LONG = {(ratio, d): inflation(ratio, spacing=d, end_time=36, tolerance=1e-12)
+        for ratio in (1, 3) for d in (0.13, 0.1)}
+
 REFINEMENT = {d: inflation(1, spacing=d, **COARSE) for d in (0.2, 0.13, 0.1, 0.065)}
 
 THREADS = {n: inflation(1.5, threads=n, stop__steps=200) for n in (1, 2)}

@@ -4,6 +4,7 @@ import measures
 from measures import Q_0
 from report import percent
 from runs import sha256
+from tightness import Tightness
 from womersley import Womersley
 
 
@@ -160,6 +161,26 @@ def womersley(report, get):
     report.table(header, rows(cases.WOMERSLEY, get, len(header), row))
 
 
+def long_run(report, get):
+    def row(key, r):
+        ratio, spacing = key
+        case, t = f"ratio {ratio}, {spacing}", Tightness(r)
+        fine = spacing == 0.1
+        transient, sections = ((report.at_most(f"{case}: leak of the transient", t.transient, 0.005),
+                                report.at_most(f"{case}: leak of a section", t.sections, 0.002))
+                               if fine else (percent(t.transient), percent(t.sections)))
+        return [f"{ratio}, {spacing}", transient, sections, percent(r.flow_error),
+                percent(r.displacement_error), percent(t.exterior_pressure),
+                percent(t.exterior_flow), percent(t.power_left_over),
+                report.at_most(f"{case}: out of roundness", measures.out_of_roundness(r), 0.01),
+                f"{measures.zig_zag(r):.1e}", f"{r['t']:.3g}", r["steps"]]
+
+    header = ["ratio, spacing", "leak of the transient", "leak of a section", "Q against 1-D",
+              "R_max - 1 against 1-D", "pressure outside", "flow outside", "power left over",
+              "out of roundness / R_0", "zig-zag", "t", "steps"]
+    report.table(header, rows(cases.LONG, get, len(header), row))
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -242,6 +263,13 @@ SECTIONS = [
             "solution of the full Navier-Stokes equations by `tools/axisymmetric_tube` "
             "(docs/theory.md has both, side by side). Leak: flow through the wall over Q.",
             inflation),
+    Section("long", "Tightness, for three times as long", values(cases.LONG),
+            "As in the section before, up to t = 36. Leak of the transient: largest at a sample, over "
+            "the largest |Q_in - Q_out|; of a section: largest |Q(x) - Q(0)| at the end, over Q. Pressure "
+            "outside: largest deviation from the external pressure at the end more than three spacings "
+            "outside the wall, over the inlet pressure; flow outside: half way, over Q. Power left over: "
+            "docs/numerics.md, \"Energy\". Roundness and zig-zag: see the filter of the mesh.",
+            long_run),
     Section("deformability", "Deformability, Fig. 6(d)", values(cases.DEFORMABILITY),
             "Ratio 3, Hooke, spacing 0.1.", deformability),
     Section("softening", "Large inflation of a neo-Hookean tube, Fig. 6(c)",

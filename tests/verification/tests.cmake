@@ -5,6 +5,9 @@ target_include_directories(flow_verification PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}
 starling_test(wall_verification verification
   SOURCES verification/wall_stiffness_test.cpp
   DEPENDS starling_theory starling_wall)
+starling_test(coupling_verification verification
+  SOURCES verification/closed_volume_test.cpp
+  DEPENDS starling_immersed_boundary)
 starling_test(buckling_verification verification
   SOURCES verification/buckling_onset_test.cpp
   DEPENDS starling_simulation starling_theory)

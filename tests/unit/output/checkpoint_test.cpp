@@ -75,6 +75,7 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_TRUE(same_bytes(read.wall.x, s.wall.x));
     EXPECT_TRUE(same_bytes(read.wall.velocity, s.wall.velocity));
     EXPECT_TRUE(same_bytes(read.wall.support, s.wall.support));
+    EXPECT_TRUE(same_bytes(read.wall.support_rate, s.wall.support_rate));
     EXPECT_TRUE(same_bytes(read.wall.passing, s.wall.passing));
     EXPECT_EQ(read.t, s.t);
     EXPECT_EQ(read.dt, s.dt);

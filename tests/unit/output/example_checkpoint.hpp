@@ -28,6 +28,7 @@ struct ExampleCheckpoint {
         state.fluid.kinetic_energy_before = 5.5;
         for (Vec3& v : state.wall.velocity) v = {next += 0.1, -next, 1 / next};
         for (Vec3& f : state.wall.support) f = {0, next += 0.1, -2 * next};
+        for (Vec3& r : state.wall.support_rate) r = {0, -next, next += 0.1};
         for (Vec3& u : state.wall.passing) u = {0, 3 * next, next += 0.1};
         for (GhostState& g : state.ghosts) {
             g.inside.values()[7] = 1;

@@ -28,18 +28,39 @@ struct Support : testing::Test {
 TEST_F(Support, AnswersFlowThroughTheWallWithPressureAgainstIt)
 {
     constexpr Real speed = 0.01;
-    const Real pressure = 4 / std::sqrt(0.5 * dt) * speed; // of each step
+    const Real gain = 4 / std::sqrt(0.5 * dt), learning = gain / (gain + spacing / (2 * dt)) / 16;
+    const Real pressure = gain * speed; // of each step
     for (int step = 1; step <= 3; ++step) {
         flow_outwards(speed);
         support.hold(geometry, wall, dt);
         for (Index v = 0; v < wall.x.size(); ++v) {
             const Vec3 outwards = {0, wall.x[v].y, wall.x[v].z};
-            const Real force = rigid(v) ? step * pressure * norm(geometry.vertex_area()[v]) : 0;
+            const Real learnt = learning * step * (step - 1) / 2; // what the rate has added
+            const Real force =
+                rigid(v) ? (step + learnt) * pressure * norm(geometry.vertex_area()[v]) : 0;
             // H sees that the direction turns from vertex to vertex
             EXPECT_LE(norm(wall.support[v] + force * outwards), 1e-3 * force) << v;
             EXPECT_EQ(wall.velocity[v] == Vec3{}, rigid(v));
         }
     }
+}
+
+/// Fluid that passes in proportion to the load that is not held: none does in the end.
+TEST_F(Support, FollowsALoadThatChangesSteadilyWithoutALag)
+{
+    const Real gain = 4 / std::sqrt(0.5 * dt), change = 0.1; // of the pressure in a step
+    const Index v = 3 * tube.ring_size;
+    ASSERT_TRUE(rigid(v));
+    Real largest = 0, last = 0;
+    for (int step = 1; step <= 300; ++step) {
+        const Real held = norm(wall.support[v]) / norm(geometry.vertex_area()[v]);
+        last = 0.6 * (step * change - held) / gain;
+        largest = std::max(largest, last);
+        flow_outwards(last);
+        support.hold(geometry, wall, dt);
+    }
+    EXPECT_GT(largest, 0.6 * change / gain);
+    EXPECT_LT(std::abs(last), 1e-3 * largest);
 }
 
 TEST_F(Support, ForgetsWavesThatTheFluidCannotSee)
