@@ -47,7 +47,10 @@ const std::vector<NamedQuantity>& quantities()
          {1, -2, -2},
          {"Pa/m", "kPa/m", "MPa/m", "GPa/m"}},
         {Quantity::damping_per_area, "a damping per area", {1, -2, -1}, {"Pa s/m", "kPa s/m"}},
-        {Quantity::surface_viscosity, "a surface viscosity", {1, 0, -1}, {"uPa s m", "mPa s m", "Pa s m"}},
+        {Quantity::surface_viscosity,
+         "a surface viscosity",
+         {1, 0, -1},
+         {"uPa s m", "mPa s m", "Pa s m"}},
     };
     return table;
 }

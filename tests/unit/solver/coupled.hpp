@@ -32,8 +32,10 @@ struct Coupled {
                              {0, -2.5, -2.6}, {p.tube.length, 5, 5.2})
                       : box_around(p.spacing, p.tube.length)),
           tube(make_tube(p.tube, p.tube.edge_over_spacing * g.delta())),
-          op(g, tube, {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing, p.tissue, p.mu_s, 0.5}, fluid,
-             {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
+          op(g, tube,
+             {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing, p.tissue, p.mu_s,
+              0.5},
+             fluid, {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
           w(g, tube), s(g, tube)
     {
         s.dt = 5 * 0.02 * g.delta();
