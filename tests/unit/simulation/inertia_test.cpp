@@ -33,7 +33,7 @@ TEST(Inertia, RigidPartsDoNotSwing)
     }
 }
 
-/// Largest less smallest radius of the oscillation that follows the start of the drive.
+/// Largest less smallest volume in the oscillation that follows the start of the drive.
 Real swing(Real viscosity, const TissueParameters& tissue)
 {
     Case c;
@@ -45,13 +45,13 @@ Real swing(Real viscosity, const TissueParameters& tissue)
     c.grid.spacing = 0.3;
     c.drive.pressure_inlet = 0.5 * c.baseline_pressure_drop();
     Simulation simulation(c);
-    Real low = 10, high = 0;
+    Real low = 100, high = 0;
     while (simulation.time() < 10) {
         simulation.step();
         if (simulation.time() < 4) continue;
-        const Real R = simulation.sample().volume;
-        low = std::min(low, R);
-        high = std::max(high, R);
+        const Real volume = simulation.sample().volume;
+        low = std::min(low, volume);
+        high = std::max(high, volume);
     }
     return high - low;
 }
