@@ -34,7 +34,7 @@ void add_threads(CLI::App& command, CommandLine& line)
     command.add_option("--threads", line.threads, "Number of threads [all]")
         ->option_text("N")
         ->check(CLI::Range(1, most_threads));
-    command.add_flag("--quiet", line.quiet, "Print errors only");
+    command.add_flag("--quiet", line.quiet, "Print errors and warnings only");
 }
 
 void add_run(CLI::App& app, CommandLine& line)

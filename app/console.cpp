@@ -42,6 +42,14 @@ Real leak_percent(const Sample& s)
 
 } // namespace
 
+void QuietObserver::retrying(const Retry& retry)
+{
+    fmt::print(stderr, "{}\ntrying again from step {} with {:.3g} of the automatic step\n",
+               retry.reason, retry.step, retry.step_factor);
+}
+
+void QuietObserver::warn(const std::string& what) { fmt::print(stderr, "warning: {}\n", what); }
+
 bool QuietObserver::stop_requested() { return stop_signal_seen(); }
 
 ConsoleObserver::ConsoleObserver()
@@ -89,16 +97,13 @@ void ConsoleObserver::stepped(const Progress& progress)
 void ConsoleObserver::retrying(const Retry& retry)
 {
     finished();
-    fmt::print("{}\ntrying again from step {} with {:.3g} of the automatic step\n", retry.reason,
-               retry.step, retry.step_factor);
-    std::fflush(stdout);
+    QuietObserver::retrying(retry);
 }
 
-void ConsoleObserver::checkpoint_failed(const std::string& reason)
+void ConsoleObserver::warn(const std::string& what)
 {
     finished();
-    fmt::print("warning: no checkpoint: {}; the run goes on\n", reason);
-    std::fflush(stdout);
+    QuietObserver::warn(what);
 }
 
 bool ConsoleObserver::stop_requested()
@@ -115,6 +120,7 @@ bool ConsoleObserver::stop_requested()
 void ConsoleObserver::finished()
 {
     if (live_) fmt::print("\n");
+    std::fflush(stdout);
     live_ = false;
 }
 

@@ -7,20 +7,22 @@
 
 namespace starling::app {
 
-/// Prints nothing; still listens to signals.
+/// Prints only what must not be missed, to standard error; listens to signals.
 class QuietObserver : public RunObserver {
 public:
+    void retrying(const Retry& retry) override;
+    void warn(const std::string& what) override;
     bool stop_requested() override;
 };
 
 /// One live line on a terminal, a plain line every ten seconds elsewhere.
-class ConsoleObserver : public RunObserver {
+class ConsoleObserver : public QuietObserver {
 public:
     ConsoleObserver();
     void started(const RunStart& start) override;
     void stepped(const Progress& progress) override;
     void retrying(const Retry& retry) override;
-    void checkpoint_failed(const std::string& reason) override;
+    void warn(const std::string& what) override;
     bool stop_requested() override;
     /// Ends the live line; to be called before anything else is printed.
     void finished();

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "output/file_name.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 
@@ -321,9 +322,11 @@ RunMemory CheckpointFile::read_memory() const
 
 namespace {
 
+std::string checkpoint_name(Index step) { return fmt::format("step_{:010}.h5", step); }
+
 bool is_checkpoint_name(const std::string& name)
 {
-    return name.starts_with("step_") && name.ends_with(".h5");
+    return is_numbered_name(name, "step_", 10, ".h5");
 }
 
 /// What a kill left of a checkpoint.
@@ -331,7 +334,8 @@ std::vector<fs::path> unfinished(const fs::path& folder)
 {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (entry.path().extension() == ".new") found.push_back(entry.path());
+        if (is_numbered_name(entry.path().filename().string(), "step_", 10, ".h5.new"))
+            found.push_back(entry.path());
     return found;
 }
 
@@ -372,12 +376,14 @@ void CheckpointRing::write(const State& state, const RunMemory& memory,
     if (keep_ == 0) return;
     const fs::path folder_path = folder(directory_);
     fs::create_directories(folder_path);
-    const std::string name = fmt::format("step_{:010}.h5", state.step);
+    const std::string name = checkpoint_name(state.step);
     write_checkpoint(folder_path / name, state, memory, case_text);
-    point_latest(folder_path, name);
-    Index kept = 0;
-    for (const fs::path& p : list(directory_)) // those with more steps were given up
-        if (p.filename() > name || ++kept > keep_) fs::remove(p);
+    newest_ = std::max(newest_, state.step);
+    const std::string newest = checkpoint_name(newest_);
+    point_latest(folder_path, newest);
+    Index kept = name == newest ? 1 : 0; // an older one is kept beside them
+    for (const fs::path& p : list(directory_))
+        if (p.filename() > newest || (p.filename() != name && ++kept > keep_)) fs::remove(p);
     std::error_code none;
     for (const fs::path& p : unfinished(folder_path)) fs::remove(p, none);
 }

@@ -63,8 +63,11 @@ class CheckpointRing {
 public:
     CheckpointRing(const std::filesystem::path& run_directory, Index keep);
 
-    /// Writes a checkpoint, points "latest" at it, and removes those of a course that was given up
-    /// (more steps) and all but the last ones.
+    /// The run goes on from this step: checkpoints beyond it are of a course that was given up.
+    void go_on_from(Index step) { newest_ = step; }
+    /// Writes a checkpoint, points "latest" at the newest one, and removes those of a course that
+    /// was given up and all but the last ones. One older than the newest, as after a breakdown, is
+    /// kept beside them.
     void write(const State& state, const RunMemory& memory, const std::string& case_text);
 
     /// The checkpoints of a run directory, latest first; by name, unread.
@@ -74,6 +77,7 @@ public:
 private:
     std::filesystem::path directory_;
     Index keep_;
+    Index newest_ = -1; ///< step of the newest checkpoint of this course
 };
 
 } // namespace starling

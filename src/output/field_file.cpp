@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "output/file_name.hpp"
 #include "output/frame_file.hpp"
 
 namespace starling {
@@ -12,11 +13,6 @@ namespace {
 
 /// What all frames of the wall share; it stands in the first.
 constexpr const char* shared_array = "/triangles";
-
-std::string frame_name(const std::string& name, Index frame)
-{
-    return fmt::format("frames/{}_{:06}.h5", name, frame);
-}
 
 std::vector<Index> as_index(const std::vector<hsize_t>& shape)
 {
@@ -56,6 +52,11 @@ std::vector<Real> transposed(const NamedArray& a, const std::array<Index, 3>& n)
 
 } // namespace
 
+std::string frame_name(const std::string& name, Index frame)
+{
+    return fmt::format("frames/{}_{:06}.h5", name, frame);
+}
+
 FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     : options_(std::move(options)), what_(std::move(what)), name_(options_.prefix + what_),
       series_(options_.directory / (name_ + ".xdmf"), name_), frames_(options_.keep)
@@ -71,6 +72,13 @@ FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     remove_later_frames();
 }
 
+void FrameWriter::check(const FieldFileOptions& options, const std::string& what)
+{
+    const std::string name = options.prefix + what;
+    if (options.keep > 0)
+        xdmf::Series(options.directory / (name + ".xdmf"), name).check(options.keep);
+}
+
 /// Frames from number `frames_` on and those that a kill left unfinished.
 void FrameWriter::remove_later_frames() const
 {
@@ -78,7 +86,7 @@ void FrameWriter::remove_later_frames() const
     std::vector<fs::path> later;
     for (const auto& entry : fs::directory_iterator(options_.directory / "frames")) {
         const std::string name = entry.path().filename();
-        const bool ours = name.starts_with(name_ + "_") && name.size() >= first.size();
+        const bool ours = is_numbered_or_unfinished(name, name_ + "_", 6, ".h5");
         if (ours && (name >= first || name.ends_with(".new"))) later.push_back(entry.path());
     }
     for (const fs::path& path : later) fs::remove(path);

@@ -18,6 +18,9 @@ namespace starling {
 /// Of NAME.h5. Version 3: each frame has a seal.
 inline constexpr Seal index_seal = {"index", 3, "docs/results.md"};
 
+/// Of a frame of the "wall" or "fluid", in the run directory: "frames/wall_000000.h5".
+std::string frame_name(const std::string& name, Index frame);
+
 /// Where and how field files are written.
 struct FieldFileOptions {
     std::filesystem::path directory;
@@ -32,6 +35,8 @@ class FrameWriter {
 public:
     /// Throws InputError where fewer frames are there than are to be kept.
     FrameWriter(FieldFileOptions options, std::string what);
+    /// Throws as the constructor does, and changes nothing.
+    static void check(const FieldFileOptions& options, const std::string& what);
 
     /// Writes the arrays of a new frame to an open file and describes them in XDMF.
     struct Frame {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/error.hpp"
+#include "output/file_name.hpp"
 
 namespace starling {
 
@@ -167,8 +168,7 @@ std::vector<ListedFrame> list_frames(const fs::path& run_directory, const std::s
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(run_directory / "frames", none)) {
         const std::string name = entry.path().filename();
-        if (name.starts_with(of + "_") && name.ends_with(".h5"))
-            found.push_back({entry.path(), {}, ""});
+        if (is_numbered_name(name, of + "_", 6, ".h5")) found.push_back({entry.path(), {}, ""});
     }
     std::ranges::sort(found, {}, &ListedFrame::path);
     for (ListedFrame& frame : found) {

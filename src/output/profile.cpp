@@ -30,8 +30,7 @@ std::span<const Column<ProfileRow>> profile_columns()
 void write_profile(const std::filesystem::path& path, const std::vector<ProfileRow>& rows,
                    const Scaling& scaling)
 {
-    TableWriter<ProfileRow> table(path, profile_columns(), scaling);
-    for (const ProfileRow& row : rows) table.write(row);
+    write_table(path, profile_columns(), scaling, rows);
 }
 
 } // namespace starling

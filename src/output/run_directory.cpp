@@ -1,5 +1,6 @@
 #include "output/run_directory.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "output/file_name.hpp"
 
 namespace starling {
 
@@ -42,13 +44,18 @@ constexpr const char* result_files[] = {"case.toml",
 constexpr const char* files_of_the_end[] = {
     "summary.json",        "profile.csv",        "sections.csv",         "breakdown_wall.h5",
     "breakdown_wall.xdmf", "breakdown_fluid.h5", "breakdown_fluid.xdmf", "breakdown.png"};
-/// Folders of a run and what the names of its files in them begin with.
+/// Folders of a run, what stands before the number in the names of its files in them, of how many
+/// digits that is, and another name.
 struct ResultFolder {
     const char* name;
     std::vector<std::string> prefixes;
+    std::size_t digits;
+    std::string link = "";
 };
-const ResultFolder result_folders[] = {{"frames", {"wall_", "fluid_", "breakdown_"}},
-                                       {"checkpoints", {"step_", "latest"}}};
+const std::vector<std::string> breakdown_prefixes = {"breakdown_wall_", "breakdown_fluid_"};
+const ResultFolder result_folders[] = {
+    {"frames", {"wall_", "fluid_", breakdown_prefixes[0], breakdown_prefixes[1]}, 6},
+    {"checkpoints", {"step_"}, 10, "latest"}};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
@@ -60,14 +67,21 @@ std::string leftover(const char* name) { return std::string(name) + ".new"; }
 
 bool is_there(const fs::path& path) { return fs::exists(fs::symlink_status(path)); }
 
+bool belongs_to(const ResultFolder& folder, const std::string& name)
+{
+    if (!folder.link.empty() && (name == folder.link || name == folder.link + ".new")) return true;
+    return std::ranges::any_of(folder.prefixes, [&](const std::string& prefix) {
+        return is_numbered_or_unfinished(name, prefix, folder.digits, ".h5");
+    });
+}
+
 /// The run's own files in one of its folders.
 std::vector<fs::path> files_in(const fs::path& path, const ResultFolder& folder)
 {
     std::vector<fs::path> ours;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(path / folder.name, none))
-        for (const std::string& prefix : folder.prefixes)
-            if (entry.path().filename().string().starts_with(prefix)) ours.push_back(entry.path());
+        if (belongs_to(folder, entry.path().filename())) ours.push_back(entry.path());
     return ours;
 }
 
@@ -213,7 +227,8 @@ RunDirectory::RunDirectory(const RunDirectoryOptions& options) : path_(options.p
 void RunDirectory::remove_end() const
 {
     for (const char* name : files_of_the_end) fs::remove(path_ / name);
-    for (const fs::path& file : files_in(path_, {"frames", {"breakdown_"}})) fs::remove(file);
+    for (const fs::path& file : files_in(path_, {"frames", breakdown_prefixes, 6}))
+        fs::remove(file);
 }
 
 RunDirectory::~RunDirectory() { unlock(path_, lock_); }

@@ -14,8 +14,7 @@ void write_sections(const std::filesystem::path& path, const std::vector<Section
         {"y", length, &SectionPoint::y, "position of the vertex"},
         {"z", length, &SectionPoint::z, "position of the vertex"},
     };
-    TableWriter<SectionPoint> table(path, columns, scaling);
-    for (const SectionPoint& point : points) table.write(point);
+    write_table<SectionPoint>(path, columns, scaling, points);
 }
 
 } // namespace starling

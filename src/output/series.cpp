@@ -1,5 +1,7 @@
 #include "output/series.hpp"
 
+#include "core/error.hpp"
+
 namespace starling {
 
 std::span<const Column<Sample>> sample_columns()
@@ -40,6 +42,16 @@ std::span<const Column<Sample>> sample_columns()
         {"cfl", none, &Sample::cfl, "largest speed times dt over the spacing"},
     };
     return columns;
+}
+
+bool SeriesWriter::has_row(const std::filesystem::path& path, const Scaling& scaling, Index step)
+{
+    try {
+        check_row(path, scaling, step);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 } // namespace starling

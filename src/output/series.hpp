@@ -20,6 +20,13 @@ public:
         : TableWriter(path, sample_columns(), scaling, "step", last_row)
     {
     }
+    /// Throws InputError where the file lacks the row of `step`.
+    static void check_row(const std::filesystem::path& path, const Scaling& scaling, Index step)
+    {
+        length_up_to(path, sample_columns(), scaling, "step", step);
+    }
+    /// Whether the file has the row of `step`.
+    static bool has_row(const std::filesystem::path& path, const Scaling& scaling, Index step);
 };
 
 } // namespace starling

@@ -11,7 +11,7 @@
 namespace starling {
 
 LineFile::LineFile(std::filesystem::path path, std::optional<std::uintmax_t> keep)
-    : path_(std::move(path))
+    : path_(std::move(path)), length_(keep.value_or(0))
 {
     errno = 0;
     if (keep) std::filesystem::resize_file(path_, *keep);
@@ -56,8 +56,14 @@ void LineFile::write(const std::string& line)
     errno = 0;
     stream_ << line << '\n';
     stream_.flush();
-    if (!stream_)
-        throw std::runtime_error("cannot write to " + path_.string() + ": " + std::strerror(errno));
+    if (stream_) {
+        length_ += line.size() + 1;
+        return;
+    }
+    const std::string reason = std::strerror(errno);
+    std::error_code none;
+    std::filesystem::resize_file(path_, length_, none);
+    throw std::runtime_error("cannot write to " + path_.string() + ": " + reason);
 }
 
 std::string column_title(const char* name, Quantity quantity, const Scaling& scaling)

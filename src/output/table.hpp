@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "config/scaling.hpp"
 #include "core/types.hpp"
@@ -27,13 +28,15 @@ class LineFile {
 public:
     /// Creates or empties the file, or goes on behind its first `keep` bytes.
     explicit LineFile(std::filesystem::path path, std::optional<std::uintmax_t> keep = {});
-    /// Writes one line and hands it to the operating system.
+    /// Writes one line and hands it to the operating system; a line that does not fit on the disk
+    /// leaves nothing behind.
     void write(const std::string& line);
 
     LineFile() = default;
 
 private:
     std::filesystem::path path_;
+    std::uintmax_t length_ = 0; ///< of the complete lines
     std::ofstream stream_;
 };
 
@@ -55,18 +58,25 @@ public:
                 const Scaling& scaling)
         : file_(path), columns_(columns), scaling_(scaling)
     {
-        file_.write(header());
+        file_.write(header(columns, scaling));
     }
     /// Goes on behind the last row whose entry of the column `key` is `last`; throws InputError
     /// where the file has another header or no such row.
     TableWriter(const std::filesystem::path& path, std::span<const Column<Row>> columns,
                 const Scaling& scaling, const char* key, Index last)
-        : columns_(columns), scaling_(scaling)
+        : file_(path, length_up_to(path, columns, scaling, key, last)), columns_(columns),
+          scaling_(scaling)
+    {
+    }
+    /// Bytes up to the row that such a writer goes on behind; throws as it does.
+    static std::uintmax_t length_up_to(const std::filesystem::path& path,
+                                       std::span<const Column<Row>> columns, const Scaling& scaling,
+                                       const char* key, Index last)
     {
         const auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& c) {
             return std::string_view(c.name) == key;
         });
-        file_ = LineFile(path, length_up_to(path, header(), at - columns.begin(), last));
+        return starling::length_up_to(path, header(columns, scaling), at - columns.begin(), last);
     }
 
     void write(const Row& row)
@@ -77,11 +87,11 @@ public:
     }
 
 private:
-    std::string header() const
+    static std::string header(std::span<const Column<Row>> columns, const Scaling& scaling)
     {
         std::string line;
-        for (const Column<Row>& c : columns_)
-            line += separator(line) + column_title(c.name, c.quantity, scaling_);
+        for (const Column<Row>& c : columns)
+            line += separator(line) + column_title(c.name, c.quantity, scaling);
         return line;
     }
     static std::string separator(const std::string& line) { return line.empty() ? "" : ","; }
@@ -97,5 +107,25 @@ private:
     std::span<const Column<Row>> columns_;
     Scaling scaling_;
 };
+
+/// Writes a whole table under another name and renames it; throws std::runtime_error where that
+/// fails, with `path` as it was.
+template <class Row>
+void write_table(const std::filesystem::path& path, std::span<const Column<Row>> columns,
+                 const Scaling& scaling, const std::vector<Row>& rows)
+{
+    const std::filesystem::path temporary = path.string() + ".new";
+    try {
+        {
+            TableWriter<Row> table(temporary, columns, scaling);
+            for (const Row& row : rows) table.write(row);
+        }
+        std::filesystem::rename(temporary, path);
+    } catch (...) {
+        std::error_code none;
+        std::filesystem::remove(temporary, none);
+        throw;
+    }
+}
 
 } // namespace starling

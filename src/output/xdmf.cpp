@@ -40,6 +40,13 @@ Series::Series(std::filesystem::path path, std::string name)
 
 void Series::keep(Index frames)
 {
+    frames_ = first(frames);
+    replace();
+}
+
+/// The first `frames` grids of the file.
+std::string Series::first(Index frames) const
+{
     std::ifstream stream(path_, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
     const std::string head = fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">", name_);
@@ -55,8 +62,7 @@ void Series::keep(Index frames)
                                          path_.string(), frames));
         end = next + tail.size();
     }
-    frames_ = text.substr(begin, end - begin);
-    replace();
+    return text.substr(begin, end - begin);
 }
 
 void Series::add(Real t, const std::string& body)

@@ -33,10 +33,13 @@ public:
     Series(std::filesystem::path path, std::string name);
     /// Goes on from the first `frames` grids of the file; throws InputError where it has fewer.
     void keep(Index frames);
+    /// Throws as `keep` does, and changes nothing.
+    void check(Index frames) const { first(frames); }
     /// Adds a grid whose topology, geometry and attributes are `body`; times must increase.
     void add(Real t, const std::string& body);
 
 private:
+    std::string first(Index frames) const;
     void replace() const;
 
     std::filesystem::path path_;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
@@ -64,14 +65,17 @@ public:
         simulation_.restore([&](State& s) { file.read(s); }, m.step_factor);
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
-        stop_.check(moment());
-        if (stop_.reason() && files_.complete())
+        Moment at_rest = moment();
+        at_rest.wall_seconds = 0; // counts from now
+        stop_.check(at_rest);
+        if (stop_.reason() && files_.complete(m, simulation_.steps()))
             throw InputError("nothing to do: the run has ended (" + *stop_.reason() +
                              "); change what ends it, as in --set " +
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
+        files_.check_go_on(m);
         remember(m);
-        if (ended) stop_.check(moment()); // killed while it wrote its last results: write them
+        if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
         if (theory_) files_.theory(*theory_);
         start();
@@ -105,11 +109,23 @@ private:
             end_broken_down(e);
             throw;
         }
-        files_.checkpoint(simulation_, memory()); // before the extra row and frames of the end
-        if (files_.last_row() != simulation_.steps()) take_sample();
-        files_.finish(simulation_);
+        return end();
+    }
+
+    /// Writes the last results, all for which there is room.
+    Summary end()
+    {
+        Attempts attempt;
+        attempt([&] { files_.checkpoint(simulation_, memory()); }); // before the extra row, frames
+        if (files_.last_row() != simulation_.steps()) attempt([&] { take_sample(); });
+        files_.finish(simulation_, attempt);
         Summary result = summary(*stop_.reason(), stop_.steady());
-        files_.summary(result);
+        attempt([&] { files_.summary(result); });
+        if (!attempt.failures().empty())
+            throw std::runtime_error(
+                fmt::format("the run has ended ({}), but not all of its last results could be "
+                            "written:\n  {}",
+                            result.reason, fmt::join(attempt.failures(), "\n  ")));
         return result;
     }
 
@@ -120,11 +136,15 @@ private:
         std::optional<Neighbourhood> broken;
         if (breakdown_) broken = simulation_.neighbourhood(*breakdown_);
         simulation_.back_to_good();
-        files_.checkpoint(simulation_, good_memory_);
+        Attempts attempt;
+        attempt([&] { files_.checkpoint(simulation_, good_memory_); });
         last_ = simulation_.sample();
-        files_.finish(simulation_);
-        files_.summary(summary(std::string("numerical error: ") + e.what(), false));
-        if (broken) files_.breakdown(simulation_.neighbourhood(*breakdown_), *broken);
+        files_.finish(simulation_, attempt);
+        attempt(
+            [&] { files_.summary(summary(std::string("numerical error: ") + e.what(), false)); });
+        if (broken)
+            attempt([&] { files_.breakdown(simulation_.neighbourhood(*breakdown_), *broken); });
+        for (const std::string& failure : attempt.failures()) observer_.warn(failure);
     }
 
     /// With an automatic step a breakdown is tried again from the last sound state with half of it,
@@ -183,15 +203,15 @@ private:
         try {
             files_.checkpoint(simulation_, memory());
         } catch (const std::exception& e) {
-            observer_.checkpoint_failed(e.what());
+            observer_.warn(fmt::format("no checkpoint: {}; the run goes on", e.what()));
         }
     }
 
     void take_sample()
     {
         last_ = simulation_.sample();
-        files_.sample(last_);
         stop_.add(last_);
+        files_.sample(last_);
     }
 
     RunMemory memory() const
@@ -209,7 +229,7 @@ private:
     {
         good_memory_ = m;
         step_factor_ = m.step_factor;
-        files_.go_on_from(m, simulation_.time());
+        files_.go_on_from(m, simulation_.time(), simulation_.steps());
         stop_ = StopCriteria(case_);
         for (const Sample& s : m.window) stop_.add(s);
         last_ = simulation_.sample();
@@ -268,6 +288,25 @@ private:
     Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
 };
 
+/// Runs; where a file could not be written, the message says how to go on.
+template <class F>
+Summary with_advice(const std::filesystem::path& directory, F f)
+{
+    try {
+        return f();
+    } catch (const InputError&) {
+        throw;
+    } catch (const NumericalError&) {
+        throw;
+    } catch (const std::runtime_error& e) {
+        const bool can_go_on = !CheckpointRing::list(directory).empty();
+        throw std::runtime_error(fmt::format(
+            "{}\n  try: free space on the disk, then: {}", e.what(),
+            can_go_on ? "starling resume " + directory.string()
+                      : "the same command with --force (there is no checkpoint to go on from)"));
+    }
+}
+
 } // namespace
 
 bool has_theory(const Case& c)
@@ -281,7 +320,7 @@ Summary run(const Case& c, const RunOptions& options, RunObserver& observer)
     const RunDirectoryOptions directory{options.directory, options.force, options.case_file};
     RunDirectory::check(directory); // before a set-up that takes long
     check_memory(c, available_memory_bytes());
-    return Run(c, directory, observer).execute();
+    return with_advice(options.directory, [&] { return Run(c, directory, observer).execute(); });
 }
 
 Summary resume(const Case& c, const CheckpointFile& checkpoint,
@@ -290,7 +329,7 @@ Summary resume(const Case& c, const CheckpointFile& checkpoint,
     const RunDirectoryOptions options{directory, false, {}, true};
     RunDirectory::check(options);
     check_memory(c, available_memory_bytes());
-    return Run(c, options, observer).resume(checkpoint);
+    return with_advice(directory, [&] { return Run(c, options, observer).resume(checkpoint); });
 }
 
 } // namespace starling

@@ -46,8 +46,8 @@ public:
     virtual void started(const RunStart& /*start*/) {}
     virtual void stepped(const Progress& /*progress*/) {}
     virtual void retrying(const Retry& /*retry*/) {}
-    /// A checkpoint could not be written; the run goes on.
-    virtual void checkpoint_failed(const std::string& /*reason*/) {}
+    /// Something that the user should know now and that does not end the run.
+    virtual void warn(const std::string& /*what*/) {}
     /// Asked after every step; a run told to stop writes everything and ends as "interrupted".
     virtual bool stop_requested() { return false; }
 };

@@ -1,5 +1,8 @@
 #include "simulation/run_files.hpp"
 
+#include <fstream>
+#include <iterator>
+
 #include "config/write_case.hpp"
 #include "output/profile.hpp"
 #include "output/replace_file.hpp"
@@ -36,19 +39,46 @@ void RunFiles::begin()
     series_.emplace(directory_.file("series.csv"), case_.scaling);
 }
 
+bool RunFiles::complete(const RunMemory& m, Index step) const
+{
+    for (const char* name : {"summary.json", "profile.csv", "sections.csv"})
+        if (!std::filesystem::exists(directory_.file(name))) return false;
+    const bool wall =
+        !case_.output.wall || m.wall_step == step || lists_frame("wall", m.wall_frames);
+    const bool fluid =
+        !case_.output.fluid || m.fluid_step == step || lists_frame("fluid", m.fluid_frames);
+    return wall && fluid &&
+           SeriesWriter::has_row(directory_.file("series.csv"), case_.scaling, step);
+}
+
+bool RunFiles::lists_frame(const std::string& of, Index number) const
+{
+    std::ifstream stream(directory_.file((of + ".xdmf").c_str()), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    return text.find(frame_name(of, number) + ":") != std::string::npos;
+}
+
 void RunFiles::write_own_case() const
 {
     replace_file(directory_.file("case.toml"),
                  written_case_mark + (": every default filled in\n" + write_case(case_)));
 }
 
-void RunFiles::go_on_from(const RunMemory& m, Real t)
+void RunFiles::check_go_on(const RunMemory& m) const
+{
+    SeriesWriter::check_row(directory_.file("series.csv"), case_.scaling, m.last_row);
+    FrameWriter::check(field_options(m.wall_frames), "wall");
+    FrameWriter::check(field_options(m.fluid_frames), "fluid");
+}
+
+void RunFiles::go_on_from(const RunMemory& m, Real t, Index step)
 {
     series_.emplace(directory_.file("series.csv"), case_.scaling, m.last_row);
     write_own_case();
     directory_.remove_end(); // which is none
     wall_.emplace(field_options(m.wall_frames));
     fluid_.emplace(field_options(m.fluid_frames));
+    checkpoints_.go_on_from(step);
     wall_due_.go_on(t, m.next_wall);
     fluid_due_.go_on(t, m.next_fluid);
     last_row_ = m.last_row;
@@ -106,12 +136,16 @@ void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken
     }
 }
 
-void RunFiles::finish(const Simulation& simulation)
+void RunFiles::finish(const Simulation& simulation, Attempts& attempt)
 {
-    write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
-    write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
-    if (simulation.steps() > wall_step_) wall(simulation);
-    if (simulation.steps() > fluid_step_) fluid(simulation);
+    attempt([&] {
+        write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
+    });
+    attempt([&] {
+        write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
+    });
+    if (simulation.steps() > wall_step_) attempt([&] { wall(simulation); });
+    if (simulation.steps() > fluid_step_) attempt([&] { fluid(simulation); });
 }
 
 void RunFiles::summary(const Summary& s)

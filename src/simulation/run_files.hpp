@@ -8,6 +8,7 @@
 #include "output/run_directory.hpp"
 #include "output/series.hpp"
 #include "output/summary.hpp"
+#include "simulation/attempts.hpp"
 #include "simulation/simulation.hpp"
 #include "theory/theory_report.hpp"
 
@@ -37,10 +38,13 @@ public:
     RunFiles(const Case& c, const RunDirectoryOptions& directory);
 
     void begin();
-    /// The run has ended and all that it writes then is there.
-    bool complete() const { return std::filesystem::exists(directory_.file("summary.json")); }
-    /// Drops what was written after the moment of `memory` and goes on from there.
-    void go_on_from(const RunMemory& memory, Real t);
+    /// All that a run which ends at `step` writes after its last checkpoint, with `memory`, is
+    /// there.
+    bool complete(const RunMemory& memory, Index step) const;
+    /// Throws InputError where the files do not reach up to the moment of `memory`.
+    void check_go_on(const RunMemory& memory) const;
+    /// Drops what was written after the moment of `memory`, at t and `step`, and goes on there.
+    void go_on_from(const RunMemory& memory, Real t, Index step);
     /// Notes in `memory` how far the files are.
     void note(RunMemory& memory) const;
 
@@ -55,12 +59,13 @@ public:
     void checkpoint(const Simulation& simulation, const RunMemory& memory);
     /// What is around a breakdown, in the last sound state and in the broken one.
     void breakdown(const Neighbourhood& sound, const Neighbourhood& broken);
-    /// What is written once a run has ended.
-    void finish(const Simulation& simulation);
+    /// What is written once a run has ended, beside the summary.
+    void finish(const Simulation& simulation, Attempts& attempt);
     void summary(const Summary& s);
 
 private:
     void write_own_case() const;
+    bool lists_frame(const std::string& of, Index number) const;
     FieldFileOptions field_options(Index keep) const;
     void wall(const Simulation& simulation);
     void fluid(const Simulation& simulation);

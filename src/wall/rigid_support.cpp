@@ -31,12 +31,14 @@ void RigidSupport::hold(const Geometry& geometry, WallState& wall, Real dt)
     Vec3 *f = wall.support.data(), *rate = wall.support_rate.data(), *U = wall.velocity.data(),
          *passing = wall.passing.data();
     const Real gain = 4 / std::sqrt(reynolds_ * dt), inertia = delta_ / (2 * dt);
-    const Real learning = gain / (gain + inertia) / 16;
+    const Real settling = reynolds_ / (5.78 * dt); // steps until the flow has answered
+    const Real learning = gain / (gain + inertia) / (1 + settling * settling / 8) / 16;
+    constexpr Real memory = 1 - 1. / 64;
     for (HighPass& part : parts_) {
         for_range(part.first(), part.last(), [=](Index v) {
             const Vec3 answer = -gain * norm(area[v]) * U[v];
             f[v] += dt * rate[v] + answer;
-            rate[v] += (learning / dt) * answer;
+            rate[v] = memory * rate[v] + (learning / dt) * answer;
             passing[v] = U[v];
             U[v] = {};
         });

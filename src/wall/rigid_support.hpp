@@ -11,8 +11,8 @@ namespace starling {
 ///     f <- (1 - H) (f + dt f' - 4/sqrt(Re dt) |A| U),
 /// so that f comes to rest where no fluid passes the wall. The pressure added is that which stops a
 /// layer as thick as viscosity reaches in a step; the part with Delta, half of what stops a layer
-/// of one spacing, damps what inertia would make swing. The rate f' learns from the same flow: a
-/// load that changes steadily is followed without a lag. Derivation and stability:
+/// of one spacing, damps what inertia would make swing. The rate f' learns from the same flow, so
+/// that a load that changes steadily is followed with a part of the lag. Derivation and stability:
 /// docs/numerics.md.
 class RigidSupport {
 public:

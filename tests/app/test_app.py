@@ -307,6 +307,17 @@ def test_resume_ended(directory):
         expect_exit(starling("resume", out, "--set", advice), 0)
 
 
+def test_resume_after_wall_clock(directory):
+    """The limit on real time counts from the moment of resuming: a step at least is taken."""
+    out = directory / "out"
+    expect_exit(starling("run", *COARSE, "--set", "stop.wall_clock=1e-6", "--set", "stop.steady_tolerance=",
+                         "--set", "stop.end_time=", "--out", out), 0)
+    for steps in (2, 3):
+        expect_exit(starling("resume", out), 0)
+        expect(summary_of(out)["reason"] == "wall clock", summary_of(out)["reason"])
+        expect(summary_of(out)["steps"] == steps, summary_of(out)["steps"])
+
+
 COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacing=0.25", "--set",
             "vessel.rigid_outlet=0.55"]
 
@@ -315,6 +326,23 @@ PULSATILE = [*COARSE, *(word for setting in (
     "inlet_waveform.sine=[1, 0.3]", "external_waveform.amplitude=20", "external_waveform.times=[0, 1]",
     "external_waveform.values=[0, 1]", "external_waveform.time_scale=1", "stop.steady_tolerance=")
     for word in ("--set", setting))]
+
+
+def test_files_of_the_user(directory):
+    """Files that a user has put beside those of a run stay, and do not stand in its way."""
+    out = directory / "out"
+    expect_exit(starling("run", *SHORT, *FRAMES, "--set", "checkpoint.steps=2", "--out", out), 0)
+    names = ["checkpoints/step_0000000004_keep.h5", "checkpoints/step_mine.h5", "checkpoints/notes.new",
+             "frames/wall_at_t06.vtp", "frames/wall_000009_copy.h5", "frames/breakdown_notes.txt",
+             "frames/wall_best.h5"]
+    for name in names:
+        (out / name).write_text(name, encoding="utf-8")
+    check_readable(out)
+    expect_exit(starling("resume", out, "--set", "stop.steps=12"), 0)
+    check_readable(out)
+    expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)
+    for name in names:
+        expect((out / name).read_text(encoding="utf-8") == name, name)
 
 
 def test_resume_anywhere(directory):
@@ -334,6 +362,10 @@ def test_resume_anywhere(directory):
         expect_same_results(whole, parts)
 
 
+def files_of(out):
+    return {p.relative_to(out): p.read_bytes() for p in out.rglob("*") if p.is_file()}
+
+
 def test_resume_damaged(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--set", "checkpoint.steps=2", "--out", out), 0)
@@ -345,6 +377,14 @@ def test_resume_damaged(directory):
         result = starling("resume", out, "--set", "stop.steps=8")
         expect_exit(result, 2)
         expect(words in result.stderr and "--from" in result.stderr, result.stderr)
+    for name in ("wall.xdmf", "series.csv"):
+        lost = (out / name).read_bytes()
+        (out / name).unlink()
+        before = files_of(out)
+        expect_exit(starling("resume", out, "--from", latest.parent / "step_0000000004.h5", "--set",
+                             "stop.steps=8"), 2)
+        expect(files_of(out) == before, "a refused resume changed something")
+        (out / name).write_bytes(lost)
     offered = re.search(r"--from (\S+)", result.stderr)[1]
     expect_exit(starling("resume", out, "--from", offered, "--set", "stop.steps=8"), 0)
     expect_exit(starling("run", *SHORT, "--set", "stop.steps=8", "--out", directory / "whole"), 0)
@@ -365,10 +405,48 @@ def test_full_disk(directory):
         result = starling("run", *case, "--set", "checkpoint.steps=10", "--out", out)
         expect_exit(result, 1)
         expect("No space left on device" in result.stderr, result.stderr)
+        expect(f"free space on the disk, then: starling resume {out}" in result.stderr, result.stderr)
         check_readable(out)
         expect_exit(starling("run", *case, "--out", whole), 0)
         subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
         expect_exit(starling("resume", out), 0)
+        expect_same_results(whole, out)
+    finally:
+        subprocess.run(["umount", disk], check=True)
+
+
+def test_full_disk_at_the_end(directory):
+    """The last checkpoint does not fit: the smaller results are written; a breakdown is told."""
+    disk, whole = directory / "disk", directory / "whole"
+    disk.mkdir()
+    if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", disk], check=False,
+                      capture_output=True).returncode != 0:
+        print("skipped: needs the right to mount a small disk")
+        sys.exit(SKIPPED)
+    try:
+        out, filler = disk / "out", disk / "filler"
+        filler.write_bytes(bytes(2 * 2**20))
+        result = starling("run", *SHORT, "--set", "output.fluid=false", "--quiet", "--out", out)
+        expect_exit(result, 1)
+        for words in ("has ended (steps)", "step_0000000005.h5", "No space left", "--force"):
+            expect(words in result.stderr, "should say", words, "but says", result.stderr)
+        expect(summary_of(out)["steps"] == 5, "summary")
+        check_tables(out)
+        check_readable(out)
+        result = starling("run", *COARSE, "--set", "time.step=0.06", "--set", "output.fluid=false",
+                          "--set", "checkpoint.steps=20", "--quiet", "--out", out, "--force")
+        expect_exit(result, 3)
+        for words in ("the run goes on", "warning: cannot write", "try: a smaller time step", "(vertex"):
+            expect(words in result.stderr, "should say", words, "but says", result.stderr)
+        expect(summary_of(out)["reason"].startswith("numerical error"), "summary")
+        subprocess.run(["mount", "-o", "remount,size=5m", disk], check=True)
+        case = [*SHORT, "--set", "output.wall_every=0.02", "--set", "checkpoint.keep=1"]
+        result = starling("run", *case, "--set", "checkpoint.steps=3", "--out", out, "--force")
+        expect_exit(result, 1)
+        expect(f"starling resume {out}" in result.stderr, result.stderr)
+        filler.unlink()
+        expect_exit(starling("resume", out), 0)
+        expect_exit(starling("run", *case, "--out", whole), 0)
         expect_same_results(whole, out)
     finally:
         subprocess.run(["umount", disk], check=True)
@@ -561,7 +639,7 @@ def test_numerical_error(directory):
     result = starling("run", *COARSE, "--set", "time.step=3", "--set", "stop.steps=1000", "--out",
                       out)
     expect_exit(result, 3)
-    expect("try:" in result.stderr and "step is too long" in result.stderr, result.stderr)
+    expect("try: a smaller time step" in result.stderr, result.stderr)
     summary = summary_of(out)
     expect(summary["converged"] is False, summary)
     expect(summary["reason"].startswith("numerical error"), summary["reason"])
@@ -591,6 +669,27 @@ def test_numerical_error(directory):
     result = starling("check", *COARSE, "--set", "time.step=3")
     expect_exit(result, 0)
     expect("Warning" in result.stdout and "membrane stiffness" in result.stdout, result.stdout)
+
+
+def test_breakdown_keeps_checkpoints(directory):
+    """Those newer than the last sound state stay, and each is one to go on from."""
+    out = directory / "out"
+    expect_exit(starling("run", *COARSE, *FRAMES, "--set", "time.step=0.06", "--set", "checkpoint.steps=10",
+                         "--out", out), 3)
+    folder = out / "checkpoints"
+    names = sorted(p.name for p in folder.glob("step_*"))
+    expect(names == [f"step_{n:010}.h5" for n in (0, 10, 20, 30)], names)
+    expect((folder / "latest").resolve().name == names[-1], "latest")
+    expect(summary_of(out)["t"] == 0, "the summary is of the last sound state")
+    expect(int(rows_of(out / "series.csv")[-1][1]) == 30, "rows up to the breakdown")
+    for source, step in (([], 30), (["--from", folder / names[2]], 20)):
+        result = starling("resume", out, *source, "--set", "time.step=0.01", "--accept-changes", "--set",
+                          f"stop.steps={step + 3}")
+        expect_exit(result, 0)
+        expect(f"Going on from step {step}" in result.stdout, result.stdout)
+        check_readable(out)
+    names = sorted(p.name for p in folder.glob("step_*"))
+    expect(names == [f"step_{n:010}.h5" for n in (20, 23)], names)
 
 
 def test_end_time(directory):

@@ -18,7 +18,7 @@ def value(text):
 
 
 class Carotid:
-    """Mean and pulse of the pressures over the last period, in Pa; wave speed in m/s."""
+    """Pressures over the last period, in Pa, and those of theory at the same times."""
 
     harmonics = 10
 
@@ -46,10 +46,6 @@ class Carotid:
     def mean(self, values):
         return numpy.trapezoid(values, self.t) / self.t[-1] if hasattr(numpy, "trapezoid") \
             else numpy.trapz(values, self.t) / self.t[-1]
-
-    @property
-    def moens_korteweg(self):
-        return math.sqrt(self.stiffness / (2 * self.rho * self.R))
 
     def flow(self, n):
         """Complex amplitude of harmonic n of the flow at the inlet, exp(i n w t)."""
@@ -94,18 +90,3 @@ class Carotid:
         C = 2 * math.pi * self.R**3 * self.L / self.stiffness
         return self.sum(self.distal + sum(self.Z) * self.flow(0),
                         lambda w: 1 / (1j * w * C + 1 / self.load(w)))
-
-    def speed(self, P_in, P_out):
-        """Foot to foot of the systolic rise. Waves that come back from the Windkessel hasten it."""
-        return self.L / (self.foot(P_out) - self.foot(P_in))
-
-    def foot(self, P):
-        """When the tangent to the steepest rise meets the lowest pressure before."""
-        fine = numpy.linspace(self.t[0], self.t[-1], 20001)
-        p = numpy.interp(fine, self.t, P)
-        p = numpy.concatenate([p[:-1], p[:-1]])  # two periods: the foot may lie at the seam
-        smooth = numpy.convolve(p, numpy.ones(100) / 100, "same")
-        slope = numpy.gradient(smooth, fine[1] - fine[0])
-        n = 10000 + int(numpy.argmax(slope[10000:30000]))
-        lowest = smooth[n - 6000:n].min()
-        return (n - (smooth[n] - lowest) / slope[n] / (fine[1] - fine[0])) * (fine[1] - fine[0]) % self.period

@@ -1,4 +1,5 @@
 """The runs behind docs/validation.md."""
+import dataclasses
 import math
 
 from runs import make_run
@@ -31,6 +32,7 @@ def inflation(ratio, spacing=0.1, law="hooke", eps=0.02, width=4.7, end_time=Non
     name += f"-w{width}" if width != 4.7 else ""
     name += "".join(f"-{label[key]}{value}" for key, value in more.items())
     name += f"-t{threads}" if threads else ""
+    name += "-long" if tolerance < 1e-9 else ""
     settings = dict(drive__pressure_ratio=ratio, grid__spacing=spacing)
     if eps != 0.02:
         settings["wall__eps"] = eps
@@ -78,6 +80,9 @@ WOMERSLEY = {alpha: make_run(f"womersley-a{alpha}", "cases/womersley.toml",
                              fluid__reynolds=alpha**2,
                              stop__end_time=round(2 * math.pi * (2 + alpha), 6))
              for alpha in (1, 2, 3)}
+
+CAROTID = {"as shipped": dataclasses.replace(make_run("carotid", "cases/carotid.toml"),
+                                             coarse=("grid.cells=[150,15,15]",))}
 
 FILTERS = {(ratio, s): inflation(ratio, spacing=0.13, wall__mesh_filter=s)
            for ratio in (1, 3) for s in (0, 0.25, 0.5, 1)}

@@ -20,6 +20,7 @@ class Run:
     case: str  # relative to the source directory
     settings: tuple  # of "section.key=value"
     threads: int = 0
+    coarse: tuple = ("grid.spacing=0.3", "vessel.rigid_outlet=0.65")  # for quick()
 
     def arguments(self, directory, threads):
         sets = [part for s in self.settings for part in ("--set", s)]
@@ -28,9 +29,8 @@ class Run:
 
     def quick(self):
         """The same run on a coarse grid for a few steps: it shows nothing but that it runs."""
-        coarse = ("grid.spacing=0.3", "vessel.rigid_outlet=0.65", "stop.steps=4",
-                  "output.sample_every=1")
-        return dataclasses.replace(self, settings=self.settings + coarse)
+        few = ("stop.steps=4", "output.sample_every=1")
+        return dataclasses.replace(self, settings=self.settings + self.coarse + few)
 
 
 def make_run(name, case, threads=0, **settings):

@@ -1,6 +1,7 @@
 """The tables of docs/validation.md: each function writes one section from finished runs."""
 import cases
 import measures
+from carotid import Carotid
 from measures import Q_0
 from report import percent
 from runs import sha256
@@ -181,6 +182,28 @@ def long_run(report, get):
     report.table(header, rows(cases.LONG, get, len(header), row))
 
 
+def carotid(report, get):
+    result = get(cases.CAROTID["as shipped"])
+    if result is None or result.broke_down:
+        return report.paragraph("Not run.")
+    c = Carotid(result)
+    one_d, lumped = c.one_dimensional(), c.lumped()
+
+    def row(name, P):
+        return [name, f"{c.mean(P):.0f}", f"{P.min():.0f}", f"{P.max():.0f}",
+                f"{P.max() - P.min():.0f}"]
+
+    report.table(["pressure above diastole, Pa", "mean", "lowest", "highest", "pulse"],
+                 [row("inlet", c.P_in), row("inlet, one-dimensional", one_d[0]),
+                  row("outlet", c.P_out), row("outlet, one-dimensional", one_d[1]),
+                  row("lumped", lumped)])
+    report.paragraph(
+        f"Over the last heartbeat: leak {percent(c.leak_share)} of the flow (it lowers the mean pressure by "
+        f"{abs(c.leak_share * c.mean_flow * sum(c.Z)):.0f} Pa); power left over "
+        + report.at_most("carotid: power left over", c.power_left_over, 0.02)
+        + f" of what enters; {result['steps']} steps, {result['wall_seconds']:.0f} s.")
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -282,6 +305,11 @@ SECTIONS = [
     Section("womersley", "Womersley flow", values(cases.WOMERSLEY),
             "`cases/womersley.toml`, spacing 0.1: first harmonic of Q half way over the last period "
             "against Womersley's solution.", womersley),
+    Section("carotid", "Carotid artery", values(cases.CAROTID),
+            "`cases/carotid.toml`: pressures over the last of three heartbeats. One-dimensional: linear, "
+            "with Womersley's friction and the speed of Moens and Korteweg (6.3 m/s), harmonic by harmonic, "
+            "between the inlet's flow rate and the Windkessel. Lumped: the vessel as one compliance before "
+            "the Windkessel.", carotid),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
             "200 steps at ratio 1.5, spacing 0.1.", threads),
     Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),

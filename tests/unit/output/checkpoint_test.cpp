@@ -194,10 +194,27 @@ TEST(CheckpointRing, KeepsTheLastOnesAndPointsAtTheLatest)
     EXPECT_EQ(CheckpointFile(all[1]).step(), 10);
     EXPECT_EQ(CheckpointFile(CheckpointRing::folder(dir.path()) / "latest").step(), 15);
 
-    example.state.step = 12; // gone back to 10 and on from there
+    ring.go_on_from(10);
+    example.state.step = 12;
     ring.write(example.state, example.memory, "");
     EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[0]).step(), 12);
     EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[1]).step(), 10);
+}
+
+TEST(CheckpointRing, KeepsTheNewerOnesBesideAnOlder)
+{
+    TemporaryDirectory dir;
+    Example example;
+    CheckpointRing ring(dir.path(), 2);
+    for (Index step : {5, 10, 15, 3}) {
+        example.state.step = step;
+        ring.write(example.state, example.memory, "");
+    }
+    std::vector<Index> steps;
+    for (const fs::path& path : CheckpointRing::list(dir.path()))
+        steps.push_back(CheckpointFile(path).step());
+    EXPECT_EQ(steps, (std::vector<Index>{15, 10, 3}));
+    EXPECT_EQ(CheckpointFile(CheckpointRing::folder(dir.path()) / "latest").step(), 15);
 }
 
 TEST(CheckpointRing, OfNoneWritesNothing)

@@ -102,7 +102,9 @@ INSTANTIATE_TEST_SUITE_P(ThreadsAndWalls, Resume,
 class Quiet : public RunObserver {
 public:
     void retrying(const Retry& retry) override { retries.push_back(retry); }
+    void warn(const std::string& what) override { warnings += what + '\n'; }
     std::vector<Retry> retries;
+    std::string warnings;
 };
 
 /// A run of a case into a directory of its own.
@@ -222,6 +224,65 @@ TEST(Retry, IsNotMadeWithAFixedStep)
     EXPECT_THROW(run_to(c, dir.path() / "out", quiet), NumericalError);
     EXPECT_TRUE(quiet.retries.empty());
     EXPECT_EQ(latest_checkpoint(dir.path() / "out").step(), 0); // the last sound state
+}
+
+// A file stands where the folder of the checkpoints would be.
+TEST(Breakdown, IsToldAlsoWhereItsCheckpointCannotBeWritten)
+{
+    TemporaryDirectory dir;
+    const fs::path out = dir.path() / "out";
+    fs::create_directory(out);
+    std::ofstream(out / "checkpoints") << "in the way";
+    Case c = coarse_tube();
+    c.time.step = 3;
+    Quiet quiet;
+    EXPECT_THROW(run_to(c, out, quiet), NumericalError);
+    EXPECT_NE(quiet.warnings.find("checkpoints"), std::string::npos) << quiet.warnings;
+    for (const char* name : {"summary.json", "profile.csv", "sections.csv", "breakdown_wall.h5"})
+        EXPECT_TRUE(fs::exists(out / name)) << name;
+}
+
+/// Puts something in the way of a file once the run has begun.
+class Saboteur : public Quiet {
+public:
+    explicit Saboteur(fs::path file) : obstacle(file.string() + ".new") {}
+    void stepped(const Progress& /*progress*/) override
+    {
+        fs::create_directories(obstacle / "in the way");
+    }
+    const fs::path obstacle;
+};
+
+TEST(EndedRun, WritesAllButWhatFailsAndIsCompletedLater)
+{
+    Case c = coarse_tube();
+    c.stop.steps = 3;
+    for (const char* name :
+         {"profile.csv", "sections.csv", "frames/wall_000001.h5", "frames/fluid_000000.h5",
+          "summary.json", "checkpoints/step_0000000003.h5"}) {
+        TemporaryDirectory dir;
+        const fs::path out = dir.path() / "out";
+        fs::create_directories(out / "checkpoints");
+        fs::create_directories(out / "frames");
+        Saboteur saboteur(out / name);
+        std::string message;
+        try {
+            run_to(c, out, saboteur);
+        } catch (const std::runtime_error& e) {
+            message = e.what();
+        }
+        for (const char* words : {name, "free space"})
+            EXPECT_NE(message.find(words), std::string::npos) << message;
+        for (const char* other : {"summary.json", "profile.csv", "sections.csv"})
+            EXPECT_TRUE(other == std::string(name) || fs::exists(out / other)) << other;
+        fs::remove_all(saboteur.obstacle);
+        if (CheckpointRing::list(out).empty()) continue;
+        EXPECT_NE(message.find("starling resume " + out.string()), std::string::npos) << message;
+        Quiet quiet;
+        resume(c, latest_checkpoint(out), out, quiet);
+        EXPECT_TRUE(fs::exists(out / name)) << name;
+        EXPECT_THROW(resume(c, latest_checkpoint(out), out, quiet), InputError); // nothing to do
+    }
 }
 
 } // namespace
