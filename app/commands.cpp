@@ -69,7 +69,12 @@ std::string theory_table(const std::string& name, const TubeProblem& problem,
 {
     if (name == "profile") return to_csv(theory_report(problem), scaling);
     const auto buckling = buckling_report(problem);
-    if (!buckling) throw InputError("--csv=" + name + ": this wall does not resist bending");
+    if (!buckling)
+        throw InputError("--csv=" + name +
+                         (problem.material.support.stiffness > 0
+                              ? ": the loads of a wall with support_stiffness "
+                                "are not known"
+                              : ": this wall does not resist bending"));
     return name == "buckling" ? to_csv(*buckling, scaling) : tube_law_csv(*buckling, scaling);
 }
 
@@ -97,6 +102,9 @@ void theory_command(const CommandLine& line)
     if (!has_theory(c))
         fmt::print("This case is outside the model: it holds for steady inflation at Re <= 1.\n");
     if (buckling) fmt::print("{}", to_text(*buckling, c.scaling));
+    if (c.material.bending > 0 && c.material.support.stiffness > 0)
+        fmt::print("Buckling loads are left out: theory has none for a wall with "
+                   "support_stiffness.\n");
 }
 
 void cases_command(const CommandLine& line)

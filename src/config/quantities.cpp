@@ -42,6 +42,15 @@ const std::vector<NamedQuantity>& quantities()
         {Quantity::viscosity, "a viscosity", {1, -1, -1}, {"mPa s", "Pa s"}},
         {Quantity::flow_resistance, "a flow resistance", {1, -4, -1}, {"Pa s/m^3", "mmHg s/ml"}},
         {Quantity::compliance, "a compliance", {-1, 4, 2}, {"m^3/Pa", "ml/mmHg"}},
+        {Quantity::stiffness_per_area,
+         "a stiffness per area",
+         {1, -2, -2},
+         {"Pa/m", "kPa/m", "MPa/m", "GPa/m"}},
+        {Quantity::damping_per_area, "a damping per area", {1, -2, -1}, {"Pa s/m", "kPa s/m"}},
+        {Quantity::surface_viscosity,
+         "a surface viscosity",
+         {1, 0, -1},
+         {"uPa s m", "mPa s m", "Pa s m"}},
     };
     return table;
 }

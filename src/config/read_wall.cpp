@@ -167,6 +167,9 @@ void read_wall(CaseValues& values, Case& c)
     read_eps(values, c, elastic, c.material);
     read_bending(values, c, c.material);
     values.fill("wall.contact", c.material.contact);
+    values.fill("wall.surface_viscosity", c.material.viscosity);
+    values.fill("wall.support_stiffness", c.material.support.stiffness);
+    values.fill("wall.support_damping", c.material.support.damping);
     read_perturbation(values, c.perturbation);
 }
 

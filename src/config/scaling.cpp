@@ -24,6 +24,9 @@ Real Scaling::factor(Quantity q) const
     case Quantity::viscosity: return density * u * l;
     case Quantity::flow_resistance: return density * u / (l * l);
     case Quantity::compliance: return l * l * l / p;
+    case Quantity::stiffness_per_area: return p / l;
+    case Quantity::damping_per_area: return density * u;
+    case Quantity::surface_viscosity: return density * u * l * l;
     }
     return 1;
 }
@@ -48,6 +51,9 @@ std::string Scaling::unit(Quantity q) const
     case Quantity::density: return si ? "kg/m^3" : "rho";
     case Quantity::viscosity: return si ? "Pa s" : "rho U_c R_0";
     case Quantity::flow_resistance: return si ? "Pa s/m^3" : "rho U_c/R_0^2";
+    case Quantity::stiffness_per_area: return si ? "Pa/m" : "rho U_c^2/R_0";
+    case Quantity::surface_viscosity: return si ? "Pa s m" : "rho U_c R_0^2";
+    case Quantity::damping_per_area: return si ? "Pa s/m" : "rho U_c";
     case Quantity::compliance: return si ? "m^3/Pa" : "R_0^3/(rho U_c^2)";
     }
     return "";

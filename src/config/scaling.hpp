@@ -24,8 +24,11 @@ enum class Quantity {
     rate, ///< rate: 1/time
     density,
     viscosity,
-    flow_resistance, ///< pressure over flow rate
-    compliance       ///< volume over pressure
+    flow_resistance,    ///< pressure over flow rate
+    compliance,         ///< volume over pressure
+    stiffness_per_area, ///< pressure over length
+    damping_per_area,   ///< pressure over velocity
+    surface_viscosity   ///< force per length over a rate
 };
 
 /// Scales in SI; all 1 for dimensionless cases. Solver value times `factor` = value to print.

@@ -226,6 +226,9 @@ void write_wall(CaseWriter& w, const Case& c)
     write_bending(w, c);
     w.number("edge_over_spacing", c.tube.edge_over_spacing);
     w.number("contact", c.material.contact);
+    w.measure("surface_viscosity", m.viscosity, Quantity::surface_viscosity);
+    w.measure("support_stiffness", m.support.stiffness, Quantity::stiffness_per_area);
+    w.measure("support_damping", m.support.damping, Quantity::damping_per_area);
     w.number("smoothing", c.tube.smoothing);
     w.number("mesh_filter", c.tube.mesh_filter);
 }

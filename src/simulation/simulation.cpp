@@ -9,6 +9,7 @@
 #include "simulation/soundness.hpp"
 #include "solver/advance.hpp"
 #include "solver/snapshot.hpp"
+#include "theory/tube_problem.hpp"
 #include "wall/perturbation.hpp"
 
 namespace starling {
@@ -30,8 +31,14 @@ WallModel wall_model(const Case& c, Real delta)
     // The filter works as fast as waves of the grid's scale relax.
     const ContactParameters contact = {c.material.contact * shear_modulus(c.material, reynolds),
                                        contact_range * delta};
-    return {make_material(c.material, reynolds), bending_modulus(c.material, reynolds), contact,
-            c.tube.mesh_filter / grid_wave_time(c, delta), c.tube.smoothing};
+    return {make_material(c.material, reynolds),
+            bending_modulus(c.material, reynolds),
+            contact,
+            c.tube.mesh_filter / grid_wave_time(c, delta),
+            c.tube.smoothing,
+            c.material.support,
+            c.material.viscosity,
+            small_strain_poisson_ratio(c.material)};
 }
 
 namespace {

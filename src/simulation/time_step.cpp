@@ -9,6 +9,34 @@ namespace {
 
 constexpr Real part_of_a_step = 1e-6; ///< differences below are round-off
 
+// Explicit springs and dampers of the tissue: stable up to 2.3 sqrt(Delta/k) and 2.8 Delta/c, where
+// a layer of fluid as thick as the grid's spacing answers. Where viscosity carries the force
+// further within a step, and theta = 1, up to 4.4/(k^2 Re)^(1/3) and 30/(c^2 Re). Half of that.
+void add_limits_of_support(std::vector<TimeStepLimit>& limits, const Case& c, Real spacing)
+{
+    const Real Re = c.fluid.reynolds, viscous = c.fluid.theta > 0.75 ? 1 : 0;
+    const Real k = c.material.support.stiffness, damping = c.material.support.damping;
+    if (k > 0)
+        limits.push_back(
+            {"tissue stiffness", c.time.safety * std::max(1.1 * std::sqrt(spacing / k),
+                                                          viscous * 2 / std::cbrt(k * k * Re))});
+    if (damping > 0)
+        limits.push_back(
+            {"tissue damping", c.time.safety * std::max(1.3 * spacing / damping,
+                                                        viscous * 12 / (damping * damping * Re))});
+}
+
+// Explicit viscosity of the wall, on waves as short as the grid's spacing: stable up to
+// 0.75 Delta^3/mu_s, and without a limit where the fluid's viscosity (theta = 1) outweighs it; half
+// of either.
+void add_limit_of_wall_viscosity(std::vector<TimeStepLimit>& limits, const Case& c, Real spacing)
+{
+    const Real of_fluid = c.fluid.theta > 0.75 ? 0.8 * spacing / c.fluid.reynolds : 0;
+    const Real excess = c.material.viscosity - of_fluid;
+    if (excess > 0)
+        limits.push_back({"wall viscosity", c.time.safety * 0.4 * std::pow(spacing, 3) / excess});
+}
+
 } // namespace
 
 std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_max)
@@ -42,6 +70,10 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
         const Real edge = c.tube.edge_over_spacing * spacing;
         limits.push_back(
             {"surface smoothing", safety * 0.4 * std::pow(edge, 4) / c.tube.smoothing});
+    }
+    if (!c.tube.rigid) {
+        add_limits_of_support(limits, c, spacing);
+        add_limit_of_wall_viscosity(limits, c, spacing);
     }
     // Explicit advection: CFL 0.2; where viscosity rules the cell it damps advection as long as
     // u^2 dt < 2/Re, so the CFL number may rise to 0.5.

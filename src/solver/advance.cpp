@@ -30,8 +30,10 @@ bool advance(State& s, Operators& op, Workspace& w, Real dt)
     // 1. What the wall does to the fluid
     op.geometry.update(s.wall.x);                                     // n, areas
     op.elastic.compute(s.wall.x, w.f);                                // f_e             (3)-(5), (15), (17)
+    op.viscosity.add(s.wall.x, s.wall.velocity, w.f);                 //   + Kelvin and Voigt's
     op.bending.add(s.wall.x, op.geometry, w.f);                       // + f_b           (18)-(23)
     op.contact.add(s.wall.x, op.geometry, w.f);                       //   + what keeps walls apart
+    op.tissue.add(s.wall.x, s.wall.velocity, w.f);                    //   + the tissue around the wall
     op.support.apply(op.geometry, s.wall, dt, w.f);                   //   and what holds the rigid parts
     w.mark(Phase::wall_force);
     if (!op.coupling.weigh(s.wall)) return false;                     // D               (27)

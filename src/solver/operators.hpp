@@ -8,9 +8,11 @@
 #include "wall/bending_force.hpp"
 #include "wall/contact.hpp"
 #include "wall/elastic_force.hpp"
+#include "wall/membrane_viscosity.hpp"
 #include "wall/mesh_filter.hpp"
 #include "wall/rigid_support.hpp"
 #include "wall/smoothing.hpp"
+#include "wall/tissue.hpp"
 
 namespace starling {
 
@@ -32,6 +34,9 @@ struct WallModel {
     ContactParameters contact;
     Real filter_rate = 0; ///< of the mesh filter (U_c/R_0)
     Real smoothing = 0;   ///< alpha of the smoothing velocity (U_c R_0^3)
+    TissueParameters tissue = {};
+    Real mu_s = 0; ///< membrane viscosity (rho U_c R_0^2)
+    Real nu_s = 0; ///< Poisson ratio of the viscosity
 };
 
 /// Holds references to `tube`, which must outlive it.
@@ -39,8 +44,10 @@ struct Operators {
     const Tube& tube;
     Geometry geometry;
     ElasticForce elastic;
+    MembraneViscosity viscosity;
     Bending bending;
     Contact contact;
+    Tissue tissue;
     RigidSupport support;
     Coupling coupling;
     Momentum momentum;
@@ -50,8 +57,9 @@ struct Operators {
 
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
-        : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material), bending(tube, wall.E_b),
-          contact(tube, wall.contact),
+        : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material),
+          viscosity(tube, wall.mu_s, wall.nu_s), bending(tube, wall.E_b),
+          contact(tube, wall.contact), tissue(tube, wall.tissue),
           support(tube, supports_rigid_parts(scheme), fluid.reynolds, g.delta()),
           coupling(g, tube, geometry, scheme), momentum(g, fluid), projection(g, fluid, drive),
           smoothing(tube, wall.smoothing), filter(tube, wall.filter_rate)

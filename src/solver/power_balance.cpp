@@ -101,15 +101,18 @@ void PowerBalance::mark_no_fluid(Location c, const GhostStates& ghosts)
     });
 }
 
-/// The forces of the last step, at the positions before it, times the wall's velocity in it.
+/// The forces of the last step, at the positions before it, times the wall's velocity in it. Those
+/// that depend on the velocity are taken at that of the step, not the one before.
 Real PowerBalance::work_on_wall(const State& s)
 {
     const Array<Vec3>& U = s.wall.velocity;
     for (Index v = 0; v < U.size(); ++v) x_before_[v] = s.wall.x[v] - s.fluid.dt_before * U[v];
     geometry_.update(x_before_);
     op_->elastic.compute(x_before_, f_);
+    op_->viscosity.add(x_before_, U, f_);
     op_->bending.add(x_before_, geometry_, f_);
     op_->contact.add(x_before_, geometry_, f_);
+    op_->tissue.add(x_before_, U, f_);
     Real sum = 0;
     for (VertexIndex v = op_->tube.moving_begin(); v < op_->tube.moving_end(); ++v)
         sum -= dot(f_[v], U[v]);

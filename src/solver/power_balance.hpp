@@ -13,7 +13,9 @@ struct Powers {
     Real exterior = 0; ///< what enters through both end faces outside the tube
     Real dissipation = 0; ///< by the fluid's viscosity
     Real kinetic = 0;     ///< change of the fluid's kinetic energy
-    Real wall = 0;        ///< work on the wall: its change of energy, where its law has one
+    /// Work on the wall and the tissue around: their change of energy, where the law has one, and
+    /// their dissipation.
+    Real wall = 0;
 
     /// What the balance leaves over: errors of discretisation in space and time.
     Real residual() const { return inlet - outlet + exterior - dissipation - kinetic - wall; }

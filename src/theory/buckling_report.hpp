@@ -32,8 +32,8 @@ struct BucklingReport {
     bool buckles() const { return under_own_pressure && under_own_pressure->factor < 1; }
 };
 
-/// Nothing for a rigid tube or a wall that does not resist bending: its load falls with n without
-/// end.
+/// Nothing for a rigid tube, for a wall that does not resist bending, whose load falls with n
+/// without end, or for one with tissue around (support.stiffness), whose load is not known.
 std::optional<BucklingReport> buckling_report(const TubeProblem& problem);
 
 /// Loads, predicted modes and the tube law of the ring, for people, in the units of `scaling`.

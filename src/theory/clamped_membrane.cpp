@@ -55,7 +55,7 @@ struct ExtraPressure {
 struct ElementState {
     Real h = 0;
     Pair R{}, P{}; ///< P transmural
-    Real gradient = 0, inertia = 0;
+    Real gradient = 0, inertia = 0, support = 0;
 };
 
 /// Virtual work of one element between its nodes 0 and 1 for dR at each, and its derivatives.
@@ -76,7 +76,8 @@ Element element(const Law& law, Real least_tension, const ElementState& s)
         const Dual R = Dual::first(s.R[a]);
         const RingForces f = ring_forces(law, least_tension, s.R[a], slope);
         const ExtraPressure extra(R, Dual::second(slope), s.inertia);
-        const Dual radial = f.hoop_force - (s.P[a] + extra.value(s.gradient)) * R;
+        const Dual radial =
+            f.hoop_force + Dual(s.support) * (R - 1) - (s.P[a] + extra.value(s.gradient)) * R;
         e.residual[a] += s.h / 2 * radial.value;
         e.dR[a][a] += s.h / 2 * radial.d1;
         e.dP[a] -= s.h / 2 * s.R[a];
@@ -121,9 +122,9 @@ struct ClampedMembrane::System {
 };
 
 ClampedMembrane::ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet,
-                                 Material law, Real inertia)
+                                 Material law, Real inertia, Real support)
     : x_(std::move(x)), rigid_inlet_(rigid_inlet), rigid_outlet_(rigid_outlet), law_(law),
-      inertia_(inertia)
+      inertia_(inertia), support_(support)
 {
 }
 
@@ -146,7 +147,8 @@ void ClampedMembrane::add_ring_balance(const Law& law, const MembraneLoad& load,
                      .R = {state.R[i], state.R[j]},
                      .P = {state.P[i] - load.P_external, state.P[j] - load.P_external},
                      .gradient = state.gradient,
-                     .inertia = inertia_});
+                     .inertia = inertia_,
+                     .support = support_});
         system.residual[i][0] += e.residual[0];
         system.residual[j][0] += e.residual[1];
         diagonal[i][0][0] += e.dR[0][0];

@@ -27,9 +27,10 @@ struct MembraneLoad {
 class ClampedMembrane {
 public:
     /// `x` increases from clamp to clamp; `law` has G_s = 1; `inertia` is the dynamic pressure
-    /// (Q/pi)^2 over the square of the gradient, (Re/8)^2 in units of G_s.
+    /// (Q/pi)^2 over the square of the gradient, (Re/8)^2 in units of G_s; `support` is the
+    /// stiffness of the tissue around per undeformed area, in G_s/R_0^2.
     ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law,
-                    Real inertia);
+                    Real inertia, Real support);
 
     MembraneState undeformed() const;
 
@@ -57,7 +58,7 @@ private:
     std::vector<Real> x_;
     Real rigid_inlet_, rigid_outlet_;
     Material law_;
-    Real inertia_;
+    Real inertia_, support_;
 };
 
 } // namespace starling

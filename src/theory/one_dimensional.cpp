@@ -40,11 +40,13 @@ std::vector<Real> clustered_nodes(Real a, Real b, Index intervals)
 /// The membrane of `problem` with pressures in units of G_s.
 ClampedMembrane membrane(const TubeProblem& problem, Index intervals)
 {
-    const Real Re = problem.fluid.reynolds;
+    const Real Re = problem.fluid.reynolds, G_s = shear_modulus(problem.material, Re);
     return {clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals),
-            problem.tube.rigid_inlet, problem.tube.rigid_outlet,
+            problem.tube.rigid_inlet,
+            problem.tube.rigid_outlet,
             make_material(problem.material, 1 / problem.material.eps), // G_s = 1
-            Re * Re / 64 * shear_modulus(problem.material, Re)};
+            Re * Re / 64 * G_s,
+            problem.material.support.stiffness / G_s};
 }
 
 /// The load of `problem` times `fraction`, in units of G_s.

@@ -131,6 +131,16 @@ TEST(ReadCase, SiValuesAreScaledAsInThePaper)
     EXPECT_DOUBLE_EQ(c.drive.pressure_inlet * c.scaling.factor(Quantity::pressure), 50);
 }
 
+TEST(ReadCase, ViscosityAndTissueOfTheWallAreScaled)
+{
+    const Case c = si_with({"wall.surface_viscosity=0.5 mPa s m", "wall.support_stiffness=3 MPa/m",
+                            "wall.support_damping=2 kPa s/m"});
+    const Real rho = 1060, R = 1e-4, U = c.scaling.velocity;
+    EXPECT_DOUBLE_EQ(c.material.viscosity, 0.5e-3 / (rho * U * R * R));
+    EXPECT_DOUBLE_EQ(c.material.support.stiffness, 3e6 * R / (rho * U * U));
+    EXPECT_DOUBLE_EQ(c.material.support.damping, 2e3 / (rho * U));
+}
+
 TEST(ReadCase, AGivenVelocityScaleWins)
 {
     const Case c = si_with({"drive.velocity_scale=1 cm/s"});

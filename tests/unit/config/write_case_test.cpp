@@ -53,6 +53,17 @@ TEST(WriteCase, ReadsBackToTheSameBits)
     }
 }
 
+TEST(WriteCase, ReadsViscosityAndTissueOfTheWallBackToTheSameBits)
+{
+    expect_round_trip(read_case_text(good_case, "good",
+                                     {"wall.support_stiffness=3.7", "wall.support_damping=0.11",
+                                      "wall.surface_viscosity=0.37"}));
+    expect_round_trip(
+        read_case_text(good_si_case, "good",
+                       {"wall.support_stiffness=3.7 MPa/m", "wall.support_damping=1.3 kPa s/m",
+                        "wall.surface_viscosity=0.7 mPa s m"}));
+}
+
 TEST(WriteCase, ReadsADriveThatChangesInTimeBackToTheSameBits)
 {
     const std::vector<std::vector<std::string>> changes = {

@@ -33,5 +33,36 @@ TEST(Inertia, RigidPartsDoNotSwing)
     }
 }
 
+/// Largest less smallest volume in the oscillation that follows the start of the drive.
+Real swing(Real viscosity, const TissueParameters& tissue)
+{
+    Case c;
+    c.fluid.reynolds = 50;
+    c.tube = {.length = 6, .rigid_inlet = 1, .rigid_outlet = 1};
+    c.material.eps = 0.01;
+    c.material.viscosity = viscosity;
+    c.material.support = tissue;
+    c.grid.spacing = 0.3;
+    c.drive.pressure_inlet = 0.5 * c.baseline_pressure_drop();
+    Simulation simulation(c);
+    Real low = 100, high = 0;
+    while (simulation.time() < 10) {
+        simulation.step();
+        if (simulation.time() < 4) continue;
+        const Real volume = simulation.sample().volume;
+        low = std::min(low, volume);
+        high = std::max(high, volume);
+    }
+    return high - low;
+}
+
+TEST(Inertia, ViscosityOfTheWallAndOfTheTissueDampTheOscillation)
+{
+    const Real elastic = swing(0, {});
+    EXPECT_GT(elastic, 0.1);
+    EXPECT_LT(swing(0.4, {}), 0.8 * elastic);
+    EXPECT_LT(swing(0, {.damping = 2}), 0.8 * elastic);
+}
+
 } // namespace
 } // namespace starling

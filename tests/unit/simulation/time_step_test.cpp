@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "simulation/simulation.hpp"
@@ -107,6 +112,49 @@ TEST(Simulation, RefusesMoreThreadsThanItWasBuiltWith)
     omp_set_num_threads(2);
     EXPECT_THROW(simulation.step(), std::logic_error);
     omp_set_num_threads(before);
+}
+
+/// A soft wall with small waves on it, without flow.
+Case soft_tube()
+{
+    Case c = coarse_tube();
+    c.fluid.reynolds = 10;
+    c.material.eps = 1;
+    c.perturbation.amplitude = 1e-3;
+    c.drive.pressure_inlet = 0;
+    return c;
+}
+
+/// Growth of the waves in 150 steps of `factor` times the automatic one; infinite where the run
+/// breaks down.
+Real growth(Case c, Real factor)
+{
+    c.time.step = factor * Simulation(c).dt();
+    Simulation simulation(c);
+    const auto depth = [&] { return 1 - simulation.sample().R_min; };
+    const Real start = depth();
+    try {
+        for (int n = 0; n < 150; ++n) simulation.step();
+    } catch (const NumericalError&) {
+        return std::numeric_limits<Real>::infinity();
+    }
+    return depth() / start;
+}
+
+/// The largest stable steps are about twice these limits.
+TEST(TimeStepLimits, OfTissueAndWallViscosityAreNeitherLongNorShort)
+{
+    Case springs = soft_tube(), dampers = soft_tube(), viscous = soft_tube();
+    springs.material.support.stiffness = 1000;
+    dampers.material.support.damping = 100;
+    viscous.material.viscosity = 10;
+    const std::vector<std::pair<std::string, Case>> stiff = {
+        {"tissue stiffness", springs}, {"tissue damping", dampers}, {"wall viscosity", viscous}};
+    for (const auto& [name, c] : stiff) {
+        EXPECT_EQ(Simulation(c).limiting().name, name);
+        EXPECT_LT(growth(c, 1), 1.05) << name;
+        EXPECT_GT(growth(c, 4), 10) << name;
+    }
 }
 
 } // namespace

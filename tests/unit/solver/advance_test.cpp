@@ -82,7 +82,9 @@ struct EveryModel : testing::TestWithParam<Model> {
     CoupledParameters parameters{.material = GetParam().material,
                                  .scheme = GetParam().scheme,
                                  .E_b = 2,
-                                 .contact = {.pressure = 1, .range = 1}};
+                                 .contact = {.pressure = 1, .range = 1},
+                                 .tissue = {.stiffness = 10, .damping = 0.5},
+                                 .mu_s = 0.05};
 };
 
 TEST_P(EveryModel, OneAndTwoThreadsGiveTheSameBits)

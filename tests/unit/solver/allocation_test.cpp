@@ -87,8 +87,12 @@ TEST_P(Advance, AllocatesNothing)
     const auto [scheme, threads] = GetParam();
     const int threads_before = omp_get_max_threads();
     omp_set_num_threads(threads);
-    support::CoupledParameters p{
-        .scheme = scheme, .E_b = 2, .contact = {.pressure = 1, .range = 1}, .spacing = 0.25};
+    support::CoupledParameters p{.scheme = scheme,
+                                 .E_b = 2,
+                                 .contact = {.pressure = 1, .range = 1},
+                                 .tissue = {.stiffness = 1, .damping = 0.1},
+                                 .mu_s = 0.05,
+                                 .spacing = 0.25};
     p.tube.smoothing = 1e-4;
     Coupled c(p);
     ASSERT_TRUE(c.run(1)); // threads start

@@ -10,6 +10,8 @@ struct CoupledParameters {
     CouplingScheme scheme = CouplingScheme::reaction;
     Real E_b = 0; ///< bending modulus
     ContactParameters contact = {};
+    TissueParameters tissue = {};
+    Real mu_s = 0; ///< membrane viscosity
     Real spacing = 0.3;
     Real pressure_ratio = 5;
     bool centred = false; ///< the tube's axis is the middle of the grid
@@ -30,8 +32,10 @@ struct Coupled {
                              {0, -2.5, -2.6}, {p.tube.length, 5, 5.2})
                       : box_around(p.spacing, p.tube.length)),
           tube(make_tube(p.tube, p.tube.edge_over_spacing * g.delta())),
-          op(g, tube, {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing}, fluid,
-             {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
+          op(g, tube,
+             {p.material, p.E_b, p.contact, p.tube.mesh_filter, p.tube.smoothing, p.tissue, p.mu_s,
+              0.5},
+             fluid, {.pressure_inlet = p.pressure_ratio * 4 * p.tube.length / reynolds}, p.scheme),
           w(g, tube), s(g, tube)
     {
         s.dt = 5 * 0.02 * g.delta();

@@ -78,6 +78,29 @@ TEST(PowerBalance, WorkOnTheWallIsItsChangeOfEnergy)
     EXPECT_NEAR(work, energy() - start, 0.01 * work);
 }
 
+TEST(PowerBalance, WorkOnAViscousWallInTissueIsItsChangeOfEnergyAndItsDissipation)
+{
+    Coupled c(CoupledParameters{.scheme = CouplingScheme::conserving,
+                                .tissue = {.stiffness = 300, .damping = 20},
+                                .mu_s = 5});
+    PowerBalance power(c.g, c.op, Coupled::fluid, {});
+    const auto of_wall = [&] { return c.op.elastic.energy(c.s.wall.x); };
+    const auto of_springs = [&] { return c.op.tissue.energy(c.s.wall.x); };
+    c.s.dt /= 20;
+    ASSERT_TRUE(c.run(1));
+    const Real wall = of_wall(), springs = of_springs();
+    Real work = 0, viscosity = 0, dampers = 0;
+    for (int n = 0; n < 160; ++n) {
+        const Array<Vec3> x = c.s.wall.x;
+        ASSERT_TRUE(c.run(1));
+        work += c.s.dt * power.measure(c.s).wall;
+        viscosity += c.s.dt * c.op.viscosity.dissipation(x, c.s.wall.velocity);
+        dampers += c.s.dt * c.op.tissue.dissipation(c.s.wall.velocity);
+    }
+    for (Real part : {of_springs() - springs, viscosity, dampers}) EXPECT_GT(part, 0.03 * work);
+    EXPECT_NEAR(work, of_wall() - wall + of_springs() - springs + viscosity + dampers, 0.01 * work);
+}
+
 TEST(PowerBalance, ClosesWhileATubeInflates)
 {
     Coupled c(CoupledParameters{.scheme = CouplingScheme::conserving, .spacing = 0.2});

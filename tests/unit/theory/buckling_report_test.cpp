@@ -70,6 +70,13 @@ TEST(BucklingReport, InflatedTubesDoNotBuckle)
     EXPECT_NE(to_text(*r, Scaling{}).find("do not compress"), std::string::npos);
 }
 
+TEST(BucklingReport, IsEmptyWhereTissueSupportsTheWall)
+{
+    TubeProblem p = dumbbell_case();
+    p.material.support.stiffness = 1;
+    EXPECT_FALSE(buckling_report(p));
+}
+
 TEST(BucklingReport, IsEmptyWithoutBendingOrForARigidTube)
 {
     EXPECT_FALSE(buckling_report(dumbbell_case(0)));

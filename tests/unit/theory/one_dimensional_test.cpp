@@ -56,6 +56,19 @@ Real slope(const OneDimensionalTube& t, std::size_t i, std::size_t first, std::s
     return (b * left + a * right) / (a + b) + curvature * (t.x[i] - t.x[m]);
 }
 
+/// Without flow the middle of a long tube is a cylinder that wall and springs hold together.
+TEST(OneDimensional, TissueAroundSharesTheLoadWithTheWall)
+{
+    TubeProblem p = inflation(ElasticLaw::hooke, 0.02, 3);
+    p.tube.length = 30;
+    p.drive.pressure_outlet = p.drive.pressure_inlet;
+    const Real G_s = shear_modulus(p.material, p.fluid.reynolds), k = 0.7 * G_s;
+    p.material.support.stiffness = k;
+    const Real R = solve_one_dimensional(p).R_at(15), P = p.drive.pressure_inlet;
+    EXPECT_GT(R, 1.1);
+    EXPECT_NEAR(2 * G_s * (R * R - 1) + k * (R - 1), P * R, 1e-6 * P);
+}
+
 TEST(OneDimensional, ConvergesToOnePartInAMillionOverMeshes)
 {
     for (const TubeProblem& p : cases()) {

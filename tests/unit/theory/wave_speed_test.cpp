@@ -24,6 +24,13 @@ TEST(WaveSpeed, HookeGivesMoensKorteweg)
     EXPECT_NEAR(wave_speed(m, Re), 1 / std::sqrt(Re * m.eps * (1 - 0.3)), 1e-14);
 }
 
+TEST(WaveSpeed, TissueAroundAddsHalfItsStiffnessToTheSquare)
+{
+    MaterialParameters m = material(ElasticLaw::hooke);
+    m.support.stiffness = 6;
+    EXPECT_NEAR(std::pow(wave_speed(m, Re), 2), 1 / (Re * m.eps * 0.5) + 3, 1e-12);
+}
+
 TEST(WaveSpeed, LawsAgreeOnTheUndeformedTube)
 {
     const Real hooke = wave_speed(material(ElasticLaw::hooke), Re);

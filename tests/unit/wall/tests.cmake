@@ -5,6 +5,7 @@ starling_test(wall_unit unit
           unit/wall/rigid_support_test.cpp
           unit/wall/curvature_test.cpp unit/wall/bending_force_test.cpp
           unit/wall/perturbation_test.cpp unit/wall/smoothing_test.cpp
-          unit/wall/lumen_test.cpp unit/wall/contact_test.cpp
+          unit/wall/lumen_test.cpp unit/wall/contact_test.cpp unit/wall/tissue_test.cpp
+          unit/wall/membrane_viscosity_test.cpp
   DEPENDS starling_wall)
 target_include_directories(wall_unit PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
