@@ -29,10 +29,11 @@ VectorField flow(const Grid& g)
 {
     const Vec3 h = g.spacing(), o = g.origin();
     const auto along_x = [&](Index i, Index j, Index k) { // at (i + 1/2, j, k)
-        return Fade((i + 0.5) * h.x).value * (o.y + j * h.y) * (o.z + k * h.z);
+        return Fade((static_cast<Real>(i) + 0.5) * h.x).value * (o.y + static_cast<Real>(j) * h.y) *
+               (o.z + static_cast<Real>(k) * h.z);
     };
     const auto along_z = [&](Index i, Index j, Index) { // at (i, j, k + 1/2)
-        return Fade(i * h.x).value * (o.y + j * h.y);
+        return Fade(static_cast<Real>(i) * h.x).value * (o.y + static_cast<Real>(j) * h.y);
     };
     VectorField u(g);
     for (Index i = -1; i <= g.nx() + 1; ++i)
