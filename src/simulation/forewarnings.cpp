@@ -89,9 +89,17 @@ void warn_of_early_end(Warnings& found, const Case& c, const RunEstimate& e)
                                              rounded_up(steady / e.dt)));
 }
 
-void warn_of_draining(Warnings& found, const Case& c, const RunEstimate& e)
+void warn_of_collapse(Warnings& found, const Case& c, const RunEstimate& e)
 {
-    if (!c.stop.steady_tolerance || !may_collapse(c)) return;
+    if (!may_collapse(c)) return;
+    if (!c.stop.steady_tolerance) {
+        found.push_back(
+            "the pressure inside is lower than outside, at times at least: the tube may "
+            "buckle until its walls meet, where the run ends. starling theory tells at "
+            "which load it buckles; wall.bending resists, wall.contact keeps opposite "
+            "walls apart");
+        return;
+    }
     found.push_back(fmt::format(
         "the pressure inside is lower than outside: a tube that buckles drains through its "
         "narrowest place, and becomes steady far later than the open tube, whose relaxation time "
@@ -130,7 +138,7 @@ std::vector<std::string> forewarnings(const Case& c, const Prediction& predictio
     warn_of_speed(found, c, prediction, e);
     warn_of_box(found, c, prediction, e);
     warn_of_early_end(found, c, e);
-    warn_of_draining(found, c, e);
+    warn_of_collapse(found, c, e);
     return found;
 }
 

@@ -151,6 +151,9 @@ TEST(Forewarning, OfSlowDrainingInCollapseWithoutPromisingAShortRun)
     EXPECT_FALSE(estimate_run(c).at_least);
     c.drive.pressure_external = c.drive.pressure_outlet;
     EXPECT_FALSE(warns(c, "drains"));
+    Case short_run = read_case_text(shipped_case("collapse_mode3").text, "case");
+    short_run.stop.steady_tolerance.reset();
+    EXPECT_TRUE(warns(short_run, "may buckle until its walls meet"));
 }
 
 TEST(Memory, ThatIsNotThereIsRefused)
