@@ -10,7 +10,7 @@ function state(run) {
   if (summary.reason.startsWith("numerical error"))
     return ["broken", "broke down: the numbers are those of the last sound state"];
   if (summary.converged) return ["good", "steady"];
-  return ["going", `ended before it was steady (${summary.reason})`];
+  return ["going", `ended: ${summary.reason}; not steady`];
 }
 
 const endOf = ({ columns, rows }, name) => columns.get(name).values[rows - 1];
