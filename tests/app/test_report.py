@@ -239,7 +239,7 @@ def test_breakdown(directory):
     with browser.opened(report(out)) as page:
         check_sound(page)
         expect("broke down" in page.text("#state"), page.text("#state"))
-        expect("step is too long" in page.text("#notes"), page.text("#notes"))
+        expect("a smaller time step" in page.text("#notes"), page.text("#notes"))
         expect("where it broke down" in page.text("#viewer"), "the place is not shown")
 
 
