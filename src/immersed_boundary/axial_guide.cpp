@@ -31,7 +31,7 @@ private:
 KernelPair AxialGuide::kernels() const
 {
     if (scheme_ == CouplingScheme::conserving)
-        return {Kernel::cubic_bspline, Kernel::quadratic_bspline, 1.0 / 8};
+        return composite_bsplines;
     return {Kernel::cosine, Kernel::cosine, 0};
 }
 

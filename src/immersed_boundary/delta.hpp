@@ -62,4 +62,8 @@ struct KernelPair {
     Real reach() const { return sharpening > 0 ? 3 : 2; }
 };
 
+/// Composite B-splines, sharpened: docs/numerics.md, "Kernels".
+inline constexpr KernelPair composite_bsplines{Kernel::cubic_bspline, Kernel::quadratic_bspline,
+                                               1.0 / 8};
+
 } // namespace starling

@@ -1,8 +1,28 @@
 #include "immersed_boundary/section_flow.hpp"
 
 #include "immersed_boundary/bracket.hpp"
+#include "immersed_boundary/delta.hpp"
 
 namespace starling {
+
+namespace {
+
+/// Integral of the quadratic B-spline from minus infinity to s.
+Real quadratic_bspline_below(Real s)
+{
+    if (s <= -1.5) return 0;
+    if (s >= 1.5) return 1;
+    if (s < -0.5) return (s + 1.5) * (s + 1.5) * (s + 1.5) / 6;
+    if (s > 0.5) return 1 - (1.5 - s) * (1.5 - s) * (1.5 - s) / 6;
+    return 0.5 + s * (0.75 - s * s / 3);
+}
+
+/// Weights of the cubic B-spline at the node itself and the next, and those of its second
+/// difference at the node, the next and the one after.
+constexpr std::array<Real, 2> cubic = {2. / 3, 1. / 6};
+constexpr std::array<Real, 3> cubic_difference = {-1., 1. / 3, 1. / 6};
+
+} // namespace
 
 SectionFlow::SectionFlow(const Grid& g, const Tube& tube)
     : grid_(g), section_(tube), covered_(static_cast<std::size_t>(g.nz()))
@@ -70,6 +90,58 @@ Real SectionFlow::inside(const ScalarField& field, const Array<Vec3>& x, Index i
     const View<const Real> u = field.view();
     Real flow = 0;
     for_weights(x, i, [&](Index j, Index k, Real weight) { flow += weight * u(i, j, k); });
+    return flow;
+}
+
+// Weight of a node: the integral of its kernel over the section, exact along z.
+template <class Add>
+void SectionFlow::for_reconstruction_weights(const Array<Vec3>& x, Index i, Add add)
+{
+    const Real h = grid_.spacing().z, sub = grid_.spacing().y / static_cast<Real>(sub_rows);
+    section_.cut(x, grid_.x(Location::u, i));
+    for (Index m = 0; m < grid_.ny() * sub_rows; ++m) {
+        const Real from_bottom = sub * (static_cast<Real>(m) + 0.5);
+        const Stencil4 rows =
+            delta_weights(Kernel::quadratic_bspline, from_bottom / grid_.spacing().y - 0.5);
+        const auto& z = section_.crossings(grid_.origin().y + from_bottom);
+        for (std::size_t n = 0; n + 1 < z.size(); n += 2) {
+            const Real begin = (z[n] - grid_.z(Location::u, 0)) / h;
+            const Real end = (z[n + 1] - grid_.z(Location::u, 0)) / h;
+            const auto first = static_cast<Index>(std::floor(begin - 0.5));
+            const auto last = static_cast<Index>(std::floor(end + 1.5));
+            for (Index k = first; k <= last; ++k) {
+                const Real length =
+                    h * (quadratic_bspline_below(end - static_cast<Real>(k)) -
+                         quadratic_bspline_below(begin - static_cast<Real>(k)));
+                for (Index l = 0; l < 3; ++l)
+                    add(rows.first + l, k, sub * rows.weight[static_cast<std::size_t>(l)] * length);
+            }
+        }
+    }
+}
+
+Real SectionFlow::reconstructed(const ScalarField& field, const Array<Vec3>& x, Index i)
+{
+    constexpr Real a = composite_bsplines.sharpening;
+    const View<const Real> u = field.view();
+    const auto at = [=, last = grid_.nx()](Index n, Index j, Index k) { // mirrored at the end faces
+        return u(n < 0 ? -n : n > last ? 2 * last - n : n, j, k);
+    };
+    const auto along = [&](Index j, Index k, Real centre, Real next, Real after) {
+        Real sum = centre * at(i, j, k) + next * (at(i - 1, j, k) + at(i + 1, j, k));
+        if (after != 0) sum += after * (at(i - 2, j, k) + at(i + 2, j, k));
+        return sum;
+    };
+    Real flow = 0;
+    for_reconstruction_weights(x, i, [&](Index j, Index k, Real weight) {
+        const Real sharp = along(j, k, (1 + 4 * a) * cubic[0] - a * cubic_difference[0],
+                                 (1 + 4 * a) * cubic[1] - a * cubic_difference[1],
+                                 -a * cubic_difference[2]);
+        Real beside = 0;
+        for (Index d : {-1, 1})
+            beside += along(j + d, k, cubic[0], cubic[1], 0) + along(j, k + d, cubic[0], cubic[1], 0);
+        flow += weight * (sharp - a * beside);
+    });
     return flow;
 }
 

@@ -14,6 +14,7 @@ std::span<const Column<ProfileRow>> profile_columns()
         {"P_centre", pressure, &ProfileRow::P_centre, "pressure on the axis"},
         {"P_transmural", pressure, &ProfileRow::P_transmural, "internal - external pressure"},
         {"Q", flow_rate, &ProfileRow::Q, "flow rate inside the tube"},
+        {"leak", flow_rate, &ProfileRow::leak, "flow in through the wall from the inlet to here"},
         {"gap", length, &ProfileRow::gap, "smallest distance of opposite walls"},
         {"lobes", none, &ProfileRow::lobes, "number of lobes, 0 where round"},
         {"mode_2", length, &ProfileRow::mode_2, "amplitude of two lobes in the radius"},

@@ -57,12 +57,18 @@ Vec3 Monitor::outward_normal(VertexIndex v) const
     return (1 / norm(a)) * a;
 }
 
+void Monitor::find_positions_before(const State& s)
+{
+    const Real dt = s.fluid.dt_before;
+    for (Index v = 0; v < before_.size(); ++v) before_[v] = s.wall.x[v] - dt * s.wall.velocity[v];
+}
+
 /// dV/dt over the last step: exactly the change of the enclosed volume.
 Real Monitor::volume_rate(const State& s)
 {
     const Real dt = s.fluid.dt_before;
     if (dt == 0) return 0;
-    for (Index v = 0; v < before_.size(); ++v) before_[v] = s.wall.x[v] - dt * s.wall.velocity[v];
+    find_positions_before(s);
     return (enclosed_volume(*tube_, s.wall.x) - enclosed_volume(*tube_, before_)) / dt;
 }
 
@@ -207,6 +213,36 @@ std::vector<SectionPoint> Monitor::sections(const State& s) const
     return points;
 }
 
+namespace {
+
+/// Values on the face planes, a spacing h apart, between them.
+Real between_planes(const std::vector<Real>& values, Real h, Real x)
+{
+    const Real i = x / h;
+    const auto below = std::min(static_cast<std::size_t>(i), values.size() - 2);
+    const Real fraction = i - static_cast<Real>(below);
+    return (1 - fraction) * values[below] + fraction * values[below + 1];
+}
+
+} // namespace
+
+/// dV/dt - (Q(0) - Q(x)) for the part of the tube before each ring, docs/numerics.md (I').
+std::vector<Real> Monitor::leak_up_to_rings(const State& s)
+{
+    std::vector<Real> Q; // on the face planes
+    for (Index i = 0; i <= grid_.nx(); ++i)
+        Q.push_back(section_flow_.reconstructed(s.fluid.u[Location::u], s.wall.x, i));
+    find_positions_before(s);
+    const std::vector<Real> V = volume_up_to_rings(*tube_, s.wall.x),
+                            V_before = volume_up_to_rings(*tube_, before_);
+    const Real dt = s.fluid.dt_before;
+    std::vector<Real> leak;
+    for (std::size_t ring = 0; ring < V.size(); ++ring)
+        leak.push_back((dt > 0 ? (V[ring] - V_before[ring]) / dt : 0) +
+                       between_planes(Q, grid_.spacing().x, tube_->ring_x[ring]) - Q.front());
+    return leak;
+}
+
 std::vector<ProfileRow> Monitor::profile(const State& s)
 {
     const Array<Vec3>& x = s.wall.x;
@@ -214,6 +250,7 @@ std::vector<ProfileRow> Monitor::profile(const State& s)
     std::vector<Real> Q; // on the face planes
     for (Index i = 0; i <= grid_.nx(); ++i)
         Q.push_back(section_flow_.inside(s.fluid.u[Location::u], x, i));
+    const std::vector<Real> leak = leak_up_to_rings(s);
 
     std::vector<ProfileRow> rows;
     for (Index ring = 0; ring < tube_->rings(); ++ring) {
@@ -229,10 +266,8 @@ std::vector<ProfileRow> Monitor::profile(const State& s)
         row.P_centre = interpolate_at(grid_, Location::cell, s.fluid.P, {row.x, 0, 0});
         for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v)
             row.P_transmural += transmural_pressure(s, v) / tube_->ring_size;
-        const Real i = row.x / grid_.spacing().x;
-        const auto below = std::min(static_cast<std::size_t>(i), Q.size() - 2);
-        const Real fraction = i - static_cast<Real>(below);
-        row.Q = (1 - fraction) * Q[below] + fraction * Q[below + 1];
+        row.Q = between_planes(Q, grid_.spacing().x, row.x);
+        row.leak = leak[static_cast<std::size_t>(ring)];
         rows.push_back(row);
     }
     return rows;

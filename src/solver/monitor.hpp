@@ -37,7 +37,9 @@ private:
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
     void add_narrowest_section(const Array<Vec3>& x, Sample& a) const;
     Real undeformed_area() const;
+    void find_positions_before(const State& s);
     Real volume_rate(const State& s);
+    std::vector<Real> leak_up_to_rings(const State& s);
     Real transmural_pressure(const State& s, VertexIndex v) const;
     Real wall_shear_stress(const State& s, VertexIndex v) const;
     Vec3 outward_normal(VertexIndex v) const;

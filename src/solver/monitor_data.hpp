@@ -43,6 +43,7 @@ struct ProfileRow {
     Real P_centre = 0;     ///< pressure on the tube's axis
     Real P_transmural = 0; ///< ring-averaged internal - external pressure
     Real Q = 0;            ///< flow rate inside the tube
+    Real leak = 0;         ///< flow that has come in through the wall between x = 0 and here
     Real gap = 0;          ///< smallest distance between opposite walls
     Index lobes = 0;       ///< 0: round
     /// Amplitudes of cos and sin(n theta) in the radius at the vertices' undeformed angles.

@@ -39,6 +39,22 @@ Real enclosed_volume(const Tube& tube, const Array<Vec3>& x)
     return six_volume / 6 + lid * (tube.ring_x.back() - tube.ring_x.front()) / 3;
 }
 
+// Gauss across x: 2 V = sum of (y A_y + z A_z) over elements, with y and z at their centroids. The
+// elements between two rings follow one another.
+std::vector<Real> volume_up_to_rings(const Tube& tube, const Array<Vec3>& x)
+{
+    std::vector<Real> volume{0};
+    const auto between_rings = 2 * static_cast<std::size_t>(tube.ring_size);
+    Real twelve_volume = 0;
+    for (std::size_t e = 0; e < tube.mesh.elements().size(); ++e) {
+        const auto& [a, b, c] = tube.mesh.elements()[e];
+        const Vec3 sum = x[a] + x[b] + x[c], normal = cross(x[b] - x[a], x[c] - x[a]);
+        twelve_volume += sum.y * normal.y + sum.z * normal.z;
+        if ((e + 1) % between_rings == 0) volume.push_back(twelve_volume / 12);
+    }
+    return volume;
+}
+
 Real ring_area(const Tube& tube, const Array<Vec3>& x, Index ring)
 {
     const VertexIndex first = tube.first(ring), n = tube.ring_size;

@@ -28,6 +28,9 @@ private:
 /// constant x.
 Real enclosed_volume(const Tube& tube, const Array<Vec3>& x);
 
+/// Volume enclosed between the first ring and each ring.
+std::vector<Real> volume_up_to_rings(const Tube& tube, const Array<Vec3>& x);
+
 /// Signed area in the y-z plane of the polygon through the vertices of a ring.
 Real ring_area(const Tube& tube, const Array<Vec3>& x, Index ring);
 

@@ -62,6 +62,20 @@ TEST(Geometry, VolumeOfTheUndeformedTubeIsThatOfItsAntiprisms)
                 p.length * (polygon_area(n) + 2 * half_way) / 3, 1e-12);
 }
 
+TEST(Geometry, VolumeUpToRingsIsThatOfTheTubesThatEndThere)
+{
+    const Tube tube = make_tube(support::short_tube(), 0.3);
+    const Array<Vec3> x = support::positions(tube, support::random_smooth(3, 0.3));
+    const std::vector<Real> volume = volume_up_to_rings(tube, x);
+    ASSERT_EQ(volume.size(), static_cast<std::size_t>(tube.rings()));
+    EXPECT_EQ(volume.front(), 0);
+    EXPECT_NEAR(volume.back(), enclosed_volume(tube, x), 1e-12);
+    // up to a ring in the rigid part, whose section does not change
+    const Real step = tube.ring_x[1] - tube.ring_x[0], n = tube.ring_size;
+    const Real half_way = polygon_area(2 * n, std::cos(pi / (2 * n)));
+    EXPECT_NEAR(volume[1], step * (polygon_area(n) + 2 * half_way) / 3, 1e-12);
+}
+
 TEST(Geometry, VolumeConvergesToThatOfTheCylinder)
 {
     const auto error = [](Real edge) {
