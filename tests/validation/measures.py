@@ -108,6 +108,13 @@ def radius_deviation(result):
 
 
 def out_of_roundness(result):
+    """Largest distance of the wall from the axisymmetric shape of its rings' mean radii."""
+    p = result.profile
+    return max(max(largest - mean, mean - smallest)
+               for smallest, mean, largest in zip(p["R_min"], p["R_mean"], p["R_max"]))
+
+
+def spread_of_radii(result):
     """Largest difference between the largest and the smallest radius of a ring."""
     return max(b - a for a, b in zip(result.profile["R_min"], result.profile["R_max"]))
 
@@ -123,7 +130,9 @@ def zig_zag(result):
 
 
 def order(errors, spacings):
-    """Order between the first and the last."""
+    """Order between the first and the last; NaN if there is none."""
+    if spacings[0] == spacings[-1] or 0 in (errors[0], errors[-1]):
+        return math.nan
     return math.log(abs(errors[0] / errors[-1])) / math.log(spacings[0] / spacings[-1])
 
 
@@ -137,24 +146,3 @@ def limit_of_second_order(values, spacings):
     slope = (sum((h - mean_h) * (f - mean_f) for h, f in zip(h2, values))
              / sum((h - mean_h) ** 2 for h in h2))
     return mean_f - slope * mean_h
-
-
-def observed_order(values, spacings):
-    """p of f = a + b Delta^p through three values, or None if none between 0.1 and 8 fits."""
-    (f0, f1, f2), (h0, h1, h2) = values, spacings
-    if (f0 - f1) * (f1 - f2) <= 0:
-        return None
-
-    def mismatch(p):
-        return (f0 - f1) * (h1**p - h2**p) - (f1 - f2) * (h0**p - h1**p)
-
-    low, high = 0.1, 8.0
-    if mismatch(low) * mismatch(high) > 0:
-        return None
-    for _ in range(60):
-        middle = (low + high) / 2
-        if mismatch(low) * mismatch(middle) <= 0:
-            high = middle
-        else:
-            low = middle
-    return (low + high) / 2

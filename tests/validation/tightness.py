@@ -1,9 +1,14 @@
 """How tight the wall is, and what the fluid outside does, from the files of a run."""
+import functools
+
 import h5py
 import numpy
 from scipy.spatial import KDTree
 
 import measures
+
+REACH = (3**2 + 2.5**2 + 2.5**2) ** 0.5  # of the wall's forces in spacings: sharpened B-splines
+GHOSTS = 2.5  # spacings within which ghost nodes and nodes at rest lie
 
 
 class Tightness:
@@ -20,29 +25,52 @@ class Tightness:
         return abs(s["leak"]).max() / abs(s["Q_in"] - s["Q_out"]).max()
 
     @property
-    def sections(self):
-        """Largest difference of Q(x) from Q(0) at the end, over Q: what passed the wall up to x."""
-        Q = numpy.array(self.result.profile["Q"])
-        return abs(Q - Q[0]).max() / self.Q
+    def end(self):
+        """Leak of the last sample over Q."""
+        return self.series["leak"][-1] / self.Q
 
     @property
-    def exterior_flow(self):
-        return self.series["Q_exterior"][-1] / self.Q
+    def sections(self):
+        """Largest flow that has passed the wall between the inlet and a section, over Q."""
+        return abs(numpy.array(self.result.profile["leak"])).max() / abs(self.Q)
+
+    @property
+    def quadrature(self):
+        """Largest difference of Q(x) from Q(0) at the end, over Q: leak and the error of Q."""
+        Q = numpy.array(self.result.profile["Q"])
+        return abs(Q - Q[0]).max() / abs(self.Q)
 
     @property
     def power_left_over(self):
         """At the end, over the power that enters."""
         return self.series["power_residual"][-1] / self.series["power_in"][-1]
 
-    @property
-    def exterior_pressure(self):
-        """Largest deviation from the external pressure where the wall, outside, is farther away than 3
-        spacings, over the inlet pressure."""
-        drive = self.result.case["drive"]
+    @functools.cached_property
+    def fluid(self):
+        """Distance outside the wall, pressure and u times the face of the cells of the last frame
+        of fluid.h5; arrays run over z, y, x."""
         with h5py.File(self.result.directory / "fluid.h5", "r", locking=False) as file:
-            x, r, P = cells(file)
-        outside = distance_outside(self.result.profile, x, r) > 3 * self.result.spacing
-        off = abs(P[outside] - drive["pressure_external"]).max()
+            frame = list(file["frames"].values())[-1]
+            P = frame["pressure"][...].astype(float)
+            u = frame["velocity"][..., 0].astype(float)
+            h, origin = frame.attrs["spacing"], frame.attrs["origin"]
+        centres = [o + (numpy.arange(n) + 0.5) * d for o, n, d in zip(origin, P.shape[::-1], h)]
+        z, y, x = numpy.meshgrid(*reversed(centres), indexing="ij")
+        distance = distance_outside(self.result.profile, x, numpy.hypot(y, z))
+        return distance / self.result.spacing, P, u * h[1] * h[2]
+
+    @property
+    def exterior_flow(self):
+        """Largest flow of a section outside the ghost nodes, over Q."""
+        distance, _, flow = self.fluid
+        return abs(numpy.where(distance > GHOSTS, flow, 0).sum(axis=(0, 1))).max() / abs(self.Q)
+
+    def exterior_pressure(self, spacings):
+        """Largest deviation from the external pressure farther outside than so many spacings, over
+        the inlet pressure."""
+        drive = self.result.case["drive"]
+        distance, P, _ = self.fluid
+        off = abs(P[distance > spacings] - drive["pressure_external"]).max()
         return off / abs(drive["pressure_inlet"] - drive["pressure_external"])
 
 
@@ -55,13 +83,3 @@ def distance_outside(profile, x, r):
     distance[outside] = KDTree(numpy.column_stack([fine, R])).query(
         numpy.column_stack([x[outside], r[outside]]))[0]
     return distance
-
-
-def cells(file):
-    """x, distance from the axis and pressure of the cells of the last frame of fluid.h5."""
-    frame = list(file["frames"].values())[-1]
-    P = frame["pressure"][...].astype(float)
-    centre = [origin + (numpy.arange(n) + 0.5) * h  # arrays of a frame run over z, y, x
-              for origin, n, h in zip(frame.attrs["origin"], P.shape[::-1], frame.attrs["spacing"])]
-    z, y, x = numpy.meshgrid(*reversed(centre), indexing="ij")
-    return x, numpy.hypot(y, z), P
