@@ -28,7 +28,7 @@ constexpr Real contact_range = 2; ///< gap below which walls repel each other, i
 WallModel wall_model(const Case& c, Real delta)
 {
     const Real reynolds = c.fluid.reynolds;
-    // The filter works as fast as waves of the grid's scale relax.
+    // The filter works as fast as waves of the grid's scale relax or swing.
     const ContactParameters contact = {c.material.contact * shear_modulus(c.material, reynolds),
                                        contact_range * delta};
     return {make_material(c.material, reynolds),

@@ -50,7 +50,7 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
     // 1.1 sqrt(Re eps Delta^3), for theta = 1/2 too; 0.6 of that. Between, the squares add up.
     if (!c.tube.rigid) {
         const Real narrow = c.coupling.scheme == CouplingScheme::conserving ? 0.625 : 1;
-        const Real viscous = narrow * (theta > 0.75 ? 1 : 2.5 / 8) * grid_wave_time(c, spacing);
+        const Real viscous = narrow * (theta > 0.75 ? 8 : 2.5) * c.material.eps * spacing;
         const Real inertial = 0.65 * std::sqrt(Re * c.material.eps * spacing * spacing * spacing);
         limits.push_back({"membrane stiffness", safety * std::hypot(viscous, inertial)});
     }
@@ -96,7 +96,11 @@ const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits)
                              [](const auto& a, const auto& b) { return a.dt < b.dt; });
 }
 
-Real grid_wave_time(const Case& c, Real spacing) { return 8 * c.material.eps * spacing; }
+Real grid_wave_time(const Case& c, Real spacing)
+{
+    const Real Re = c.fluid.reynolds, eps = c.material.eps;
+    return std::max(8 * eps * spacing, pi * std::sqrt(Re * eps * spacing * spacing * spacing));
+}
 
 Real step_towards(Real remaining, Real dt)
 {

@@ -20,7 +20,8 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
 /// The binding one of a list that is not empty.
 const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits);
 
-/// Time in which waves of the wall as short as the grid spacing relax: about 8 eps Delta.
+/// Time in which waves of the wall as short as the grid spacing relax, about 8 eps Delta, or half
+/// their period, pi sqrt(Re eps Delta^3), where inertia carries them (R_0/U_c).
 Real grid_wave_time(const Case& c, Real spacing);
 
 /// A step of at most `dt` (to within a millionth) such that equal steps lead to a time `remaining`
