@@ -36,12 +36,20 @@ class Carotid:
         powers = {n: self.mean(series[f"power_{n}"][last]) for n in ("in", "residual")}
         self.power_left_over = powers["residual"] / powers["in"]
         vessel, wall, fluid = (self.case[n] for n in ("vessel", "wall", "fluid"))
-        self.R, self.L = value(vessel["radius"]), value(vessel["length"])
+        self.R_0, self.L = value(vessel["radius"]), value(vessel["length"])
         self.rho, self.mu = value(fluid["density"]), value(fluid["viscosity"])
         self.stiffness = 2 * value(wall["surface_shear_modulus"]) / (1 - wall["poisson_ratio"])
         self.Z = [value(self.case["windkessel"][n]) for n in ("R1", "R2")]
         self.C = value(self.case["windkessel"]["C"])
         self.distal = value(self.case["windkessel"]["pressure_distal"])
+        self.R, self.compliance = self.at_pressure(self.distal + sum(self.Z) * self.flow(0))
+
+    def at_pressure(self, P):
+        """Radius and dA/dP at a pressure, by the law of Laplace of second order, Eq. (52)."""
+        P_bar = P * self.R_0 / self.stiffness
+        slope = 1 + P_bar / math.sqrt(1 + P_bar**2)
+        R = self.R_0 * measures.second_order_radius(P_bar)
+        return R, 2 * math.pi * R * slope * self.R_0**2 / self.stiffness
 
     def mean(self, values):
         return numpy.trapezoid(values, self.t) / self.t[-1] if hasattr(numpy, "trapezoid") \
@@ -64,7 +72,7 @@ class Carotid:
         z = 1j**1.5 * alpha
         series = (1j * omega * self.rho / (math.pi * self.R**2)
                   / (1 - 2 * bessel(1, z) / (z * bessel(0, z))))
-        shunt = 1j * omega * 2 * math.pi * self.R**3 / self.stiffness
+        shunt = 1j * omega * self.compliance
         gamma, characteristic = (series * shunt) ** 0.5, (series / shunt) ** 0.5
         g, load = gamma * self.L, self.load(omega)
         cosh, sinh = numpy.cosh(g), numpy.sinh(g)
@@ -79,7 +87,7 @@ class Carotid:
         return P
 
     def one_dimensional(self):
-        """P_in and P_out of the linear one-dimensional model."""
+        """P_in and P_out of the one-dimensional model, linear about the mean pressure."""
         at_outlet = self.distal + sum(self.Z) * self.flow(0)
         poiseuille = 8 * self.mu * self.L / (math.pi * self.R**4) * self.flow(0)
         return (self.sum(at_outlet + poiseuille, lambda w: self.line(w)[0]),
@@ -87,6 +95,5 @@ class Carotid:
 
     def lumped(self):
         """One pressure: the vessel is a compliance before the Windkessel."""
-        C = 2 * math.pi * self.R**3 * self.L / self.stiffness
         return self.sum(self.distal + sum(self.Z) * self.flow(0),
-                        lambda w: 1 / (1j * w * C + 1 / self.load(w)))
+                        lambda w: 1 / (1j * w * self.compliance * self.L + 1 / self.load(w)))

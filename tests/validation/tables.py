@@ -233,7 +233,7 @@ def carotid(report, get):
         return [name, f"{c.mean(P):.0f}", f"{P.min():.0f}", f"{P.max():.0f}",
                 f"{P.max() - P.min():.0f}"]
 
-    report.table(["pressure above diastole, Pa", "mean", "lowest", "highest", "pulse"],
+    report.table(["pressure, Pa", "mean", "lowest", "highest", "pulse"],
                  [row("inlet", c.P_in), row("inlet, one-dimensional", one_d[0]),
                   row("outlet", c.P_out), row("outlet, one-dimensional", one_d[1]),
                   row("lumped", lumped)])
@@ -360,7 +360,8 @@ SECTIONS = [
             "against Womersley's solution.", womersley),
     Section("carotid", "Carotid artery", values(cases.CAROTID),
             "`cases/carotid.toml`: pressures over the last of three heartbeats. One-dimensional: linear, "
-            "with Womersley's friction and the speed of Moens and Korteweg (6.3 m/s), harmonic by harmonic, "
+            "about the radius and stiffness at the mean pressure by (52), with Womersley's friction (speed 6.3 m/s "
+            "without pressure, 6.4 m/s at the mean), harmonic by harmonic, "
             "between the inlet's flow rate and the Windkessel. Lumped: the vessel as one compliance before "
             "the Windkessel.", carotid),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
