@@ -60,7 +60,8 @@ TEST_P(AnySection, ReconstructedFlowOfALinearVelocityIsExact)
     const ScalarField u =
         axial_velocity(stage.g, [](const Vec3& p) { return 3 + p.y - 0.5 * p.z + 0.2 * p.x; });
     for (Index i = 2; i <= stage.g.nx() - 2; ++i)
-        EXPECT_NEAR(flow.reconstructed(u, stage.wall.x, i) / flow.inside(u, stage.wall.x, i), 1, 5e-3)
+        EXPECT_NEAR(flow.reconstructed(u, stage.wall.x, i) / flow.inside(u, stage.wall.x, i), 1,
+                    5e-3)
             << i;
 }
 
@@ -120,16 +121,16 @@ VectorField smooth_solenoidal_velocity(const Grid& g)
     const auto A_z = [](const Vec3& p) { return std::sin(1.2 * p.y + 0.3) * std::sin(1.1 * p.x); };
     VectorField velocity(g);
     for (Location c : components)
-        support::visit({{-1, -1, -1}, {g.nx() + 2, g.ny() + 1, g.nz() + 1}},
-                       [&](Index i, Index j, Index k) {
-                           const Vec3 p = g.position(c, i, j, k);
-                           const Vec3 x{h.x / 2, 0, 0}, y{0, h.y / 2, 0}, z{0, 0, h.z / 2};
-                           Real& u = velocity[c](i, j, k);
-                           if (c == Location::u) u = (A_z(p + y) - A_z(p - y)) / h.y;
-                           if (c == Location::v)
-                               u = (A_x(p + z) - A_x(p - z)) / h.z - (A_z(p + x) - A_z(p - x)) / h.x;
-                           if (c == Location::w) u = -(A_x(p + y) - A_x(p - y)) / h.y;
-                       });
+        support::visit(
+            {{-1, -1, -1}, {g.nx() + 2, g.ny() + 1, g.nz() + 1}}, [&](Index i, Index j, Index k) {
+                const Vec3 p = g.position(c, i, j, k);
+                const Vec3 x{h.x / 2, 0, 0}, y{0, h.y / 2, 0}, z{0, 0, h.z / 2};
+                Real& u = velocity[c](i, j, k);
+                if (c == Location::u) u = (A_z(p + y) - A_z(p - y)) / h.y;
+                if (c == Location::v)
+                    u = (A_x(p + z) - A_x(p - z)) / h.z - (A_z(p + x) - A_z(p - x)) / h.x;
+                if (c == Location::w) u = -(A_x(p + y) - A_x(p - y)) / h.y;
+            });
     return velocity;
 }
 
