@@ -14,7 +14,8 @@ struct TubeParameters {
     bool rigid = false;            ///< the whole tube is rigid (rigid_inlet, rigid_outlet unused)
     Real edge_over_spacing = 0.65; ///< triangle edge relative to the grid spacing
     Real smoothing = 0;            ///< alpha of the smoothing velocity (U_c R_0^3)
-    Real mesh_filter = 1;          ///< rate of the filter of the shortest waves, over that of the grid's waves
+    Real mesh_filter =
+        1; ///< rate of the filter of the shortest waves, over that of the grid's waves
 };
 
 enum class ElasticLaw { hooke, neo_hookean, mooney_rivlin, skalak };
