@@ -235,7 +235,8 @@ std::vector<KeyRule> wall_keys()
         {"wall", "smoothing", number, "alpha of the smoothing velocity, in U_c R_0^3", none,
          closed(0, 1)},
         {"wall", "mesh_filter", number,
-         "rate of the filter of the shortest waves, over that of waves of the grid's scale", none, closed(0, 4)},
+         "rate of the filter of the shortest waves, over that of waves of the grid's scale", none,
+         closed(0, 4)},
     };
 }
 

@@ -30,8 +30,7 @@ private:
 
 KernelPair AxialGuide::kernels() const
 {
-    if (scheme_ == CouplingScheme::conserving)
-        return composite_bsplines;
+    if (scheme_ == CouplingScheme::conserving) return composite_bsplines;
     return {Kernel::cosine, Kernel::cosine, 0};
 }
 

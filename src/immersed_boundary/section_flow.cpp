@@ -110,9 +110,8 @@ void SectionFlow::for_reconstruction_weights(const Array<Vec3>& x, Index i, Add 
             const auto first = static_cast<Index>(std::floor(begin - 0.5));
             const auto last = static_cast<Index>(std::floor(end + 1.5));
             for (Index k = first; k <= last; ++k) {
-                const Real length =
-                    h * (quadratic_bspline_below(end - static_cast<Real>(k)) -
-                         quadratic_bspline_below(begin - static_cast<Real>(k)));
+                const Real length = h * (quadratic_bspline_below(end - static_cast<Real>(k)) -
+                                         quadratic_bspline_below(begin - static_cast<Real>(k)));
                 for (Index l = 0; l < 3; ++l)
                     add(rows.first + l, k, sub * rows.weight[static_cast<std::size_t>(l)] * length);
             }
@@ -134,12 +133,13 @@ Real SectionFlow::reconstructed(const ScalarField& field, const Array<Vec3>& x, 
     };
     Real flow = 0;
     for_reconstruction_weights(x, i, [&](Index j, Index k, Real weight) {
-        const Real sharp = along(j, k, (1 + 4 * a) * cubic[0] - a * cubic_difference[0],
-                                 (1 + 4 * a) * cubic[1] - a * cubic_difference[1],
-                                 -a * cubic_difference[2]);
+        const Real sharp =
+            along(j, k, (1 + 4 * a) * cubic[0] - a * cubic_difference[0],
+                  (1 + 4 * a) * cubic[1] - a * cubic_difference[1], -a * cubic_difference[2]);
         Real beside = 0;
         for (Index d : {-1, 1})
-            beside += along(j + d, k, cubic[0], cubic[1], 0) + along(j, k + d, cubic[0], cubic[1], 0);
+            beside +=
+                along(j + d, k, cubic[0], cubic[1], 0) + along(j, k + d, cubic[0], cubic[1], 0);
         flow += weight * (sharp - a * beside);
     });
     return flow;

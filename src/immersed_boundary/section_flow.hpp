@@ -15,13 +15,13 @@ public:
     /// Flow rate inside the tube through face plane i (R_0^2 U_c).
     Real inside(const ScalarField& u, const Array<Vec3>& x, Index i);
 
-    /// Flow rate of the velocity that composite B-splines reconstruct, without divergence at any point
-    /// (docs/numerics.md, "Kernels" and "Leak"). Its differences between planes are what passes the
-    /// wall or changes the volume, and no error of quadrature.
+    /// Flow rate of the velocity that composite B-splines reconstruct, without divergence at any
+    /// point (docs/numerics.md, "Kernels" and "Leak"). Its differences between planes are what
+    /// passes the wall or changes the volume, and no error of quadrature.
     Real reconstructed(const ScalarField& u, const Array<Vec3>& x, Index i);
 
-    /// The same as inside() as a sum of weight times u over the faces of the plane: ny x nz weights (R_0^2), z
-    /// fastest. The tube must keep a spacing from the sides of the box.
+    /// The same as inside() as a sum of weight times u over the faces of the plane: ny x nz weights
+    /// (R_0^2), z fastest. The tube must keep a spacing from the sides of the box.
     Array<Real> weights(const Array<Vec3>& x, Index i);
 
     /// Flow rate through the whole plane, inside and outside.
