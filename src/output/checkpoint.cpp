@@ -175,18 +175,27 @@ void write_memory(hdf5::File& file, const RunMemory& m)
                hdf5::Precision::full);
 }
 
-void write_hdf5(const fs::path& path, const State& state, const RunMemory& memory,
+std::string file_of(const char* kind, Index step)
+{
+    return fmt::format("{}_{:010}.h5", kind, step);
+}
+std::string checkpoint_name(Index step) { return file_of("step", step); }
+std::string sound_name(Index step) { return file_of("sound", step); } ///< beside that checkpoint
+
+void write_hdf5(const fs::path& path, const RunPoint& point, Index sound_step,
                 const std::string& case_text)
 {
+    const State& state = point.state;
     hdf5::File file = hdf5::File::create(path, hdf5::Layout::contiguous, seal_size);
     file.attribute("/", "format", std::string("starling checkpoint"));
     file.attribute("/", "format_version", Index{checkpoint_seal.version});
     file.attribute("/", "version", version());
     file.attribute("/", "units", std::string("dimensionless: R_0, U_c, rho"));
     write_state(file, state);
+    file.attribute("/state", "sound_step", sound_step);
     for (std::size_t c = 0; c < 3; ++c)
         write_ghosts(file, state.ghosts[c], std::string("/ghosts/") + component_names[c]);
-    write_memory(file, memory);
+    write_memory(file, point.memory);
     const auto* text = reinterpret_cast<const std::uint8_t*>(case_text.data());
     file.write("/case", std::span(text, case_text.size()));
     save_sealed(file, checkpoint_seal, true);
@@ -214,13 +223,16 @@ bool is_finite(const State& s)
     return finite;
 }
 
-void write_checkpoint(const fs::path& path, const State& state, const RunMemory& memory,
-                      const std::string& case_text)
+namespace {
+
+void write_point(const fs::path& path, const RunPoint& point, Index sound_step,
+                 const std::string& case_text)
 {
-    if (!is_finite(state)) throw std::logic_error("a state that is not finite is no checkpoint");
+    if (!is_finite(point.state))
+        throw std::logic_error("a state that is not finite is no checkpoint");
     const fs::path temporary = path.string() + ".new";
     try {
-        write_hdf5(temporary, state, memory, case_text);
+        write_hdf5(temporary, point, sound_step, case_text);
         fs::rename(temporary, path);
         sync_folder(path.parent_path());
     } catch (...) {
@@ -230,12 +242,26 @@ void write_checkpoint(const fs::path& path, const State& state, const RunMemory&
     }
 }
 
+} // namespace
+
+fs::path write_checkpoint(const fs::path& folder, const RunRecord& record)
+{
+    const Index step = record.now.state.step, sound_step = record.sound.state.step;
+    fs::path path = folder / checkpoint_name(step);
+    if (sound_step != step)
+        write_point(folder / sound_name(step), record.sound, sound_step, record.case_text);
+    write_point(path, record.now, sound_step, record.case_text);
+    if (sound_step == step) fs::remove(folder / sound_name(step)); // of an earlier one
+    return path;
+}
+
 CheckpointFile::CheckpointFile(const fs::path& path) : path_(path)
 {
     check_seal(path, checkpoint_seal);
     try {
         const hdf5::File file = hdf5::File::open(path);
         step_ = file.index_attribute("/state", "step");
+        sound_step_ = file.index_attribute("/state", "sound_step");
         t_ = file.real_attribute("/state", "t");
         version_ = file.text_attribute("/", "version");
         case_text_.resize(file.size("/case"));
@@ -244,6 +270,16 @@ CheckpointFile::CheckpointFile(const fs::path& path) : path_(path)
     } catch (const std::exception& e) {
         refuse(path, e.what());
     }
+}
+
+CheckpointFile CheckpointFile::sound() const
+{
+    if (sound_step_ == step_) return *this;
+    const fs::path beside = path_.parent_path() / sound_name(step_);
+    CheckpointFile found(beside);
+    if (found.step_ != sound_step_)
+        refuse(beside, fmt::format("is of step {}, not {}", found.step_, sound_step_));
+    return found;
 }
 
 void CheckpointFile::read(State& s) const
@@ -322,8 +358,6 @@ RunMemory CheckpointFile::read_memory() const
 
 namespace {
 
-std::string checkpoint_name(Index step) { return fmt::format("step_{:010}.h5", step); }
-
 bool is_checkpoint_name(const std::string& name)
 {
     return is_numbered_name(name, "step_", 10, ".h5");
@@ -334,9 +368,17 @@ std::vector<fs::path> unfinished(const fs::path& folder)
 {
     std::vector<fs::path> found;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (is_numbered_name(entry.path().filename().string(), "step_", 10, ".h5.new"))
-            found.push_back(entry.path());
+        for (const char* kind : {"step_", "sound_"})
+            if (is_numbered_name(entry.path().filename().string(), kind, 10, ".h5.new"))
+                found.push_back(entry.path());
     return found;
+}
+
+void remove_with_its_sound(const fs::path& checkpoint)
+{
+    const std::string number = checkpoint.filename().string().substr(std::strlen("step"));
+    fs::remove(checkpoint);
+    fs::remove(checkpoint.parent_path() / ("sound" + number));
 }
 
 void point_latest(const fs::path& folder, const fs::path& name)
@@ -370,22 +412,35 @@ std::vector<fs::path> CheckpointRing::list(const fs::path& run_directory)
     return found;
 }
 
-void CheckpointRing::write(const State& state, const RunMemory& memory,
-                           const std::string& case_text)
+std::vector<fs::path> CheckpointRing::orphans(const fs::path& run_directory)
+{
+    std::vector<fs::path> found;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder(run_directory), none)) {
+        const std::string name = entry.path().filename();
+        if (!is_numbered_name(name, "sound_", 10, ".h5")) continue;
+        const std::string of = "step" + name.substr(std::strlen("sound"));
+        if (!fs::exists(entry.path().parent_path() / of)) found.push_back(entry.path());
+    }
+    return found;
+}
+
+void CheckpointRing::write(const RunRecord& record)
 {
     if (keep_ == 0) return;
     const fs::path folder_path = folder(directory_);
     fs::create_directories(folder_path);
-    const std::string name = checkpoint_name(state.step);
-    write_checkpoint(folder_path / name, state, memory, case_text);
-    newest_ = std::max(newest_, state.step);
+    const std::string name = write_checkpoint(folder_path, record).filename();
+    newest_ = std::max(newest_, record.now.state.step);
     const std::string newest = checkpoint_name(newest_);
     point_latest(folder_path, newest);
     Index kept = name == newest ? 1 : 0; // an older one is kept beside them
     for (const fs::path& p : list(directory_))
-        if (p.filename() > newest || (p.filename() != name && ++kept > keep_)) fs::remove(p);
+        if (p.filename() > newest || (p.filename() != name && ++kept > keep_))
+            remove_with_its_sound(p);
     std::error_code none;
     for (const fs::path& p : unfinished(folder_path)) fs::remove(p, none);
+    for (const fs::path& p : orphans(directory_)) fs::remove(p, none);
 }
 
 } // namespace starling

@@ -1,7 +1,8 @@
 #pragma once
 /// Checkpoints: everything a run needs to go on to the bit as if it had never stopped.
 ///
-/// A checkpoint is a sealed HDF5 file (docs/checkpoints.md).
+/// A checkpoint is a sealed HDF5 file (docs/checkpoints.md). Where the last sound state, to which a
+/// run goes back after a breakdown, is of an earlier step, it stands in a second one beside it.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@
 
 namespace starling {
 
-inline constexpr Seal checkpoint_seal = {"checkpoint", 4, "docs/checkpoints.md"};
+inline constexpr Seal checkpoint_seal = {"checkpoint", 5, "docs/checkpoints.md"};
 
 /// What a run remembers beside the state of the computation.
 struct RunMemory {
@@ -26,11 +27,24 @@ struct RunMemory {
     Real step_factor = 1;                    ///< of the automatic step, after a blow-up
 };
 
-/// Writes a checkpoint: a temporary file beside `path`, on disk (fsync), then renamed. Throws
-/// std::runtime_error where that fails, with `path` as it was; std::logic_error for a state that is
-/// not finite.
-void write_checkpoint(const std::filesystem::path& path, const State& state,
-                      const RunMemory& memory, const std::string& case_text);
+/// A run after one of its steps.
+struct RunPoint {
+    const State& state;
+    const RunMemory& memory;
+};
+
+/// What a run can go on from.
+struct RunRecord {
+    RunPoint now, sound; ///< the latter: to which the run goes back after a breakdown
+    const std::string& case_text;
+};
+
+/// Writes a checkpoint to `folder`, step_NNNNNNNNNN.h5, after sound_NNNNNNNNNN.h5 with the sound
+/// point where that is of another step. Each is a temporary file, on disk (fsync), then renamed.
+/// Returns its path. Throws std::runtime_error where that fails, with an older step_NNNNNNNNNN.h5
+/// as it was; std::logic_error for a state that is not finite.
+std::filesystem::path write_checkpoint(const std::filesystem::path& folder,
+                                       const RunRecord& record);
 
 /// Whether every number of the state is finite.
 bool is_finite(const State& state);
@@ -51,14 +65,18 @@ public:
     void read(State& state) const;
     RunMemory read_memory() const;
 
+    /// The last sound point up to there: this file or the one beside it, which it names. Throws
+    /// InputError where that is missing or damaged.
+    CheckpointFile sound() const;
+
 private:
     std::filesystem::path path_;
-    Index step_ = 0;
+    Index step_ = 0, sound_step_ = 0;
     Real t_ = 0;
     std::string case_text_, version_;
 };
 
-/// DIR/checkpoints: files step_NNNNNNNNNN.h5 and the link "latest".
+/// DIR/checkpoints: files step_NNNNNNNNNN.h5, sound_NNNNNNNNNN.h5 beside some, the link "latest".
 class CheckpointRing {
 public:
     CheckpointRing(const std::filesystem::path& run_directory, Index keep);
@@ -68,10 +86,12 @@ public:
     /// Writes a checkpoint, points "latest" at the newest one, and removes those of a course that
     /// was given up and all but the last ones. One older than the newest, as after a breakdown, is
     /// kept beside them.
-    void write(const State& state, const RunMemory& memory, const std::string& case_text);
+    void write(const RunRecord& record);
 
     /// The checkpoints of a run directory, latest first; by name, unread.
     static std::vector<std::filesystem::path> list(const std::filesystem::path& run_directory);
+    /// Files of sound points without their checkpoint, as a kill may leave them.
+    static std::vector<std::filesystem::path> orphans(const std::filesystem::path& run_directory);
     static std::filesystem::path folder(const std::filesystem::path& run_directory);
 
 private:

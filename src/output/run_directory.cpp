@@ -55,7 +55,7 @@ struct ResultFolder {
 const std::vector<std::string> breakdown_prefixes = {"breakdown_wall_", "breakdown_fluid_"};
 const ResultFolder result_folders[] = {
     {"frames", {"wall_", "fluid_", breakdown_prefixes[0], breakdown_prefixes[1]}, 6},
-    {"checkpoints", {"step_"}, 10, "latest"}};
+    {"checkpoints", {"step_", "sound_"}, 10, "latest"}};
 constexpr const char* lock_file = ".starling.lock";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)

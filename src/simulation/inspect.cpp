@@ -76,10 +76,7 @@ public:
         });
         found_.wall = look_at_frames("wall");
         found_.fluid = look_at_frames("fluid");
-        for (const fs::path& path : CheckpointRing::list(directory_)) {
-            found_.checkpoints.push_back(inspect_checkpoint(path));
-            note(path, found_.checkpoints.back().problem);
-        }
+        for (const fs::path& path : CheckpointRing::list(directory_)) look_at_checkpoint(path);
         if (!found_.running) list_leftovers();
         return found_;
     }
@@ -100,6 +97,20 @@ private:
             f(path);
         } catch (const std::exception& e) {
             note(path, reason_in(e, path));
+        }
+    }
+
+    void look_at_checkpoint(const fs::path& path)
+    {
+        found_.checkpoints.push_back(inspect_checkpoint(path));
+        note(path, found_.checkpoints.back().problem);
+        if (!found_.checkpoints.back().problem.empty()) return;
+        try {
+            CheckpointFile(path).sound();
+        } catch (const InputError& e) {
+            const std::string text = e.what();
+            const std::size_t end = text.find(": ");
+            note(text.substr(0, end), text.substr(end + 2));
         }
     }
 
@@ -129,6 +140,8 @@ private:
             for (const auto& entry : fs::directory_iterator(folder, none))
                 if (entry.path().extension() == ".new") found_.leftovers.push_back(entry.path());
         }
+        for (const fs::path& path : CheckpointRing::orphans(directory_))
+            found_.leftovers.push_back(path);
         std::ranges::sort(found_.leftovers);
     }
 

@@ -34,25 +34,6 @@ bool may_change(const std::string& key)
            key.starts_with("checkpoint.");
 }
 
-/// One line per key that differs and may not.
-std::string differences(const Case& before, const Case& now)
-{
-    const auto old_values = values_of(before), new_values = values_of(now);
-    const auto look_up = [](const auto& values, const std::string& key) {
-        const auto found = values.find(key);
-        return found == values.end() ? std::string("not given") : found->second;
-    };
-    auto keys = old_values;
-    keys.insert(new_values.begin(), new_values.end());
-    std::string text;
-    for (const auto& entry : keys) {
-        const std::string &key = entry.first, was = look_up(old_values, key),
-                          is = look_up(new_values, key);
-        if (was != is && !may_change(key)) text += "\n  " + key + ": was " + was + ", is " + is;
-    }
-    return text;
-}
-
 /// The latest checkpoint but the first `skip` that is whole; empty where there is none.
 fs::path latest_sound(const std::vector<fs::path>& all, std::size_t skip)
 {
@@ -84,6 +65,29 @@ Case case_to_go_on_with(const fs::path& file, const CheckpointFile& checkpoint,
 
 } // namespace
 
+std::string differences(const Case& before, const Case& now)
+{
+    const auto old_values = values_of(before), new_values = values_of(now);
+    const auto look_up = [](const auto& values, const std::string& key) {
+        const auto found = values.find(key);
+        return found == values.end() ? std::string("not given") : found->second;
+    };
+    auto keys = old_values;
+    keys.insert(new_values.begin(), new_values.end());
+    std::string text;
+    for (const auto& entry : keys) {
+        const std::string &key = entry.first, was = look_up(old_values, key),
+                          is = look_up(new_values, key);
+        if (was != is && !may_change(key)) text += "\n  " + key + ": was " + was + ", is " + is;
+    }
+    return text;
+}
+
+Case case_of(const CheckpointFile& checkpoint)
+{
+    return read_case_text(checkpoint.case_text(), "the checkpoint's case");
+}
+
 CheckpointFile latest_checkpoint(const fs::path& run_directory)
 {
     const auto all = CheckpointRing::list(run_directory);
@@ -104,7 +108,7 @@ CheckpointFile latest_checkpoint(const fs::path& run_directory)
 Case resumed_case(const fs::path& run_directory, const CheckpointFile& checkpoint,
                   const std::vector<std::string>& overrides, Changes allowed)
 {
-    const Case before = read_case_text(checkpoint.case_text(), "the checkpoint's case");
+    const Case before = case_of(checkpoint);
     const Case now = case_to_go_on_with(run_directory / "case.toml", checkpoint, overrides);
     const std::string changed = differences(before, now);
     if (!changed.empty() && allowed != Changes::any)

@@ -15,6 +15,13 @@ enum class Changes {
     any              ///< all; those of grid and wall still fail when the state is read
 };
 
+/// The case that a checkpoint holds.
+Case case_of(const CheckpointFile& checkpoint);
+
+/// One line per key in which the cases differ more than a run may on resuming; empty where none
+/// does.
+std::string differences(const Case& before, const Case& now);
+
 /// The case of the run directory (its case.toml, else the one in the checkpoint) with overrides.
 /// Throws InputError that lists the keys where it differs from the checkpoint's more than allowed.
 Case resumed_case(const std::filesystem::path& run_directory, const CheckpointFile& checkpoint,

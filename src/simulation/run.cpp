@@ -10,6 +10,7 @@
 #include "core/for_each.hpp"
 #include "output/version.hpp"
 #include "simulation/estimate.hpp"
+#include "simulation/resume.hpp"
 #include "simulation/run_files.hpp"
 #include "simulation/run_warnings.hpp"
 #include "simulation/stop.hpp"
@@ -62,7 +63,10 @@ public:
     Summary resume(const CheckpointFile& file)
     {
         const RunMemory m = file.read_memory();
-        simulation_.restore([&](State& s) { file.read(s); }, m.step_factor);
+        const CheckpointFile sound = sound_point(file);
+        simulation_.restore([&](State& s) { file.read(s); }, [&](State& s) { sound.read(s); },
+                            m.step_factor);
+        good_memory_ = sound.read_memory();
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
         Moment at_rest = moment();
@@ -85,6 +89,20 @@ public:
     }
 
 private:
+    /// What the run goes back to after a breakdown: not to a state of another physics.
+    CheckpointFile sound_point(const CheckpointFile& file)
+    {
+        if (!differences(case_of(file), case_).empty()) return file;
+        try {
+            return file.sound();
+        } catch (const InputError& e) {
+            observer_.warn(fmt::format("{}; the state of the checkpoint takes the place of the "
+                                       "sound one, to which a breakdown soon after would go back",
+                                       e.what()));
+            return file;
+        }
+    }
+
     void start()
     {
         start_ = last_checkpoint_ = Clock::now();
@@ -118,7 +136,9 @@ private:
     Summary end()
     {
         Attempts attempt;
-        attempt([&] { files_.checkpoint(simulation_, memory()); }); // before the extra row, frames
+        attempt([&] { // before the extra row and frames
+            files_.checkpoint(simulation_, memory(), good_memory_);
+        });
         if (files_.last_row() != simulation_.steps()) attempt([&] { take_sample(); });
         files_.finish(simulation_, attempt);
         Summary result = summary(*stop_.reason(), stop_.steady());
@@ -139,7 +159,7 @@ private:
         if (breakdown_) broken = simulation_.neighbourhood(*breakdown_);
         simulation_.back_to_good();
         Attempts attempt;
-        attempt([&] { files_.checkpoint(simulation_, good_memory_); });
+        attempt([&] { files_.checkpoint(simulation_, good_memory_, good_memory_); });
         last_ = simulation_.sample();
         files_.finish(simulation_, attempt);
         attempt(
@@ -158,13 +178,20 @@ private:
         } catch (const NumericalError& e) {
             const bool helps = e.breakdown().shorter_step_helps && !case_.time.step;
             if (!helps || step_factor_ <= least_step_factor) throw;
-            simulation_.back_to_good();
-            RunMemory m = good_memory_;
-            m.step_factor = step_factor_ / 2;
-            remember(m);
-            simulation_.set_step_factor(step_factor_);
+            go_back();
             observer_.retrying({e.what(), simulation_.steps(), simulation_.time(), step_factor_});
         }
+    }
+
+    /// To the last sound state, with half the step. A checkpoint says so before rows and frames of
+    /// the course that is given up are dropped.
+    void go_back()
+    {
+        simulation_.back_to_good();
+        good_memory_.step_factor = step_factor_ / 2;
+        simulation_.set_step_factor(good_memory_.step_factor);
+        try_checkpoint([&] { files_.checkpoint_of_return(simulation_, good_memory_); });
+        remember(good_memory_);
     }
 
     /// The next time that a step must end at.
@@ -192,17 +219,26 @@ private:
     bool checkpoint_is_due() const
     {
         const CheckpointParameters& p = case_.checkpoint;
-        if (p.steps && simulation_.steps() % *p.steps == 0) return true;
-        return std::chrono::duration<double>(Clock::now() - last_checkpoint_).count() >= p.every;
+        const Index step = simulation_.steps();
+        if (p.steps && step % *p.steps == 0) return true;
+        return checkpoint_is_timely(
+            std::chrono::duration<double>(Clock::now() - last_checkpoint_).count(), p.every,
+            simulation_.good_step() == step);
     }
 
-    /// A checkpoint that cannot be written does not end the run: the next one may succeed.
     void write_checkpoint_now()
     {
         last_checkpoint_ = Clock::now();
         if (!is_finite(simulation_.state())) return; // the next check of the step will tell
+        try_checkpoint([&] { files_.checkpoint(simulation_, memory(), good_memory_); });
+    }
+
+    /// A checkpoint that cannot be written does not end the run: the next one may succeed.
+    template <class F>
+    void try_checkpoint(F write)
+    {
         try {
-            files_.checkpoint(simulation_, memory());
+            write();
         } catch (const std::exception& e) {
             observer_.warn(fmt::format("no checkpoint: {}; the run goes on", e.what()));
         }
@@ -228,7 +264,6 @@ private:
     /// Goes on from the moment of `m`, which the simulation has been set to.
     void remember(const RunMemory& m)
     {
-        good_memory_ = m;
         step_factor_ = m.step_factor;
         files_.go_on_from(m, simulation_.time(), simulation_.steps());
         stop_ = StopCriteria(case_);
@@ -308,6 +343,12 @@ Summary with_advice(const std::filesystem::path& directory, F f)
 }
 
 } // namespace
+
+bool checkpoint_is_timely(double seconds, double every, bool found_sound)
+{
+    constexpr double earliest = 0.9; // of the interval
+    return seconds >= (found_sound ? earliest : 1) * every;
+}
 
 bool has_theory(const Case& c)
 {

@@ -64,6 +64,11 @@ Summary run(const Case& c, const RunOptions& options, RunObserver& observer);
 Summary resume(const Case& c, const CheckpointFile& checkpoint,
                const std::filesystem::path& directory, RunObserver& observer);
 
+/// Whether to write a checkpoint `seconds` after the last one: once `every` seconds have gone, or
+/// somewhat earlier where the present state has just been found sound, so that the file holds it
+/// once and not a sound state beside it.
+bool checkpoint_is_timely(double seconds, double every, bool found_sound);
+
 /// Whether the one-dimensional model describes the case: steady inflation at low Re, or a rigid
 /// tube.
 bool has_theory(const Case& c);

@@ -134,9 +134,17 @@ void RunFiles::first_wall(const Simulation& simulation)
     if (simulation.steps() != wall_step_) wall(simulation);
 }
 
-void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory)
+void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory,
+                          const RunMemory& good)
 {
-    checkpoints_.write(simulation.state(), memory, write_case(case_));
+    checkpoints_.write(
+        {{simulation.state(), memory}, {simulation.good_state(), good}, write_case(case_)});
+}
+
+void RunFiles::checkpoint_of_return(const Simulation& simulation, const RunMemory& memory)
+{
+    checkpoints_.go_on_from(simulation.steps());
+    checkpoint(simulation, memory, memory);
 }
 
 void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken)

@@ -58,7 +58,10 @@ public:
     /// Time of the next frame.
     Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation);
-    void checkpoint(const Simulation& simulation, const RunMemory& memory);
+    /// A checkpoint of the present state, with `good` of the last one found sound.
+    void checkpoint(const Simulation& simulation, const RunMemory& memory, const RunMemory& good);
+    /// The same after the run has gone back: those beyond are of a course that was given up.
+    void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory);
     /// What is around a breakdown, in the last sound state and in the broken one.
     void breakdown(const Neighbourhood& sound, const Neighbourhood& broken);
     /// What is written once a run has ended, beside the summary.

@@ -95,12 +95,12 @@ struct Simulation::Impl {
     }
 
     /// Throws InputError where a state that was read would lead the step astray.
-    void check_restored() const
+    void check_restored(const State& s) const
     {
-        bool fits = is_finite(state) && state.dt > 0 && state.step >= 0;
+        bool fits = is_finite(s) && s.dt > 0 && s.step >= 0 && s.step <= state.step;
         for (Location c : components) {
             const Box b = grid.unknowns(c);
-            for (const NearNode& n : state.ghosts[static_cast<std::size_t>(axis(c))].near_wall)
+            for (const NearNode& n : s.ghosts[static_cast<std::size_t>(axis(c))].near_wall)
                 fits = fits && n.i >= b.begin[0] && n.i < b.end[0] && n.j >= b.begin[1] &&
                        n.j < b.end[1] && n.k >= b.begin[2] && n.k < b.end[2] &&
                        n.intercept.element >= 0 && n.intercept.element < tube.mesh.element_count();
@@ -109,13 +109,24 @@ struct Simulation::Impl {
     }
 
     /// Limits of the present state; the step itself is part of the state.
+    void find_limits()
+    {
+        const Real u_max = check_speed(grid, state.fluid.u, state.fluid.dt_before).u_max;
+        find_limits(std::max(u_max, std::abs(description.pressure_ratio())));
+    }
+
     void after_restore()
     {
-        check_restored();
-        good = state;
-        const SpeedCheck check = check_speed(grid, state.fluid.u, state.dt);
-        good_cfl = check.cfl;
-        find_limits(std::max(check.u_max, std::abs(description.pressure_ratio())));
+        check_restored(state);
+        check_restored(good);
+        good_cfl = check_speed(grid, good.fluid.u, good.fluid.dt_before).cfl;
+        find_limits();
+    }
+
+    void back_to_good()
+    {
+        state = good;
+        find_limits(); // those of the state that broke down may be of any speed
     }
 
     void set_step_factor(Real factor)
@@ -165,12 +176,15 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 
 void Simulation::step(Real until) { impl_->step(until); }
-void Simulation::back_to_good() { impl_->state = impl_->good; }
+void Simulation::back_to_good() { impl_->back_to_good(); }
 void Simulation::set_step_factor(Real factor) { impl_->set_step_factor(factor); }
 const State& Simulation::state() const { return impl_->state; }
-void Simulation::restore(const std::function<void(State&)>& read, Real step_factor)
+const State& Simulation::good_state() const { return impl_->good; }
+void Simulation::restore(const std::function<void(State&)>& read,
+                         const std::function<void(State&)>& read_good, Real step_factor)
 {
     read(impl_->state);
+    read_good(impl_->good);
     impl_->step_factor = step_factor;
     impl_->after_restore();
 }

@@ -42,15 +42,19 @@ public:
     /// std::logic_error with more threads than the simulation was built with.
     void step(Real until = std::numeric_limits<Real>::infinity());
 
-    /// Returns to the last state that was found sound, at most about 50 steps back.
+    /// Returns to the last state that was found sound, at most about 50 steps back, and to its
+    /// limits of the step.
     void back_to_good();
     /// Multiplies the automatic step by `factor` from now on, beside the safety of the case.
     void set_step_factor(Real factor);
 
-    /// What a checkpoint holds.
+    /// What a checkpoint holds: the present state and the last one found sound.
     const State& state() const;
-    /// Lets `read` fill the state from a checkpoint of the same case; sets the step factor.
-    void restore(const std::function<void(State&)>& read, Real step_factor);
+    const State& good_state() const;
+    /// Lets `read` and `read_good` fill the two from a checkpoint of the same case; sets the step
+    /// factor.
+    void restore(const std::function<void(State&)>& read,
+                 const std::function<void(State&)>& read_good, Real step_factor);
 
     Real time() const;
     Index steps() const;

@@ -41,18 +41,8 @@ bool same_bytes(const Array<T>& a, const Array<T>& b)
            std::memcmp(a.data(), b.data(), sizeof(T) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-TEST(Checkpoint, GivesBackEveryBitOfTheState)
+void expect_same_bits(const State& read, const State& s)
 {
-    TemporaryDirectory dir;
-    const Example example;
-    const CheckpointFile file(example.write(dir.path()));
-    EXPECT_EQ(file.step(), 42);
-    EXPECT_EQ(file.t(), 1 / 3.);
-    EXPECT_EQ(file.case_text(), "[fluid]\nreynolds = 1\n");
-
-    State read(example.grid, example.tube);
-    file.read(read);
-    const State& s = example.state;
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_TRUE(
             same_bytes(read.fluid.u.component[c].values(), s.fluid.u.component[c].values()));
@@ -80,6 +70,23 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_EQ(read.t, s.t);
     EXPECT_EQ(read.dt, s.dt);
     EXPECT_EQ(read.fluid.dt_before, s.fluid.dt_before);
+    EXPECT_EQ(read.step, s.step);
+}
+
+TEST(Checkpoint, GivesBackEveryBitOfTheState)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    const CheckpointFile file(example.write(dir.path()));
+    EXPECT_EQ(file.step(), 42);
+    EXPECT_EQ(file.t(), 1 / 3.);
+    EXPECT_EQ(file.case_text(), "[fluid]\nreynolds = 1\n");
+
+    State read(example.grid, example.tube), sound(example.grid, example.tube);
+    file.read(read);
+    file.sound().read(sound);
+    expect_same_bits(read, example.state);
+    expect_same_bits(sound, example.sound);
 
     const RunMemory m = file.read_memory();
     ASSERT_EQ(m.window.size(), 3u);
@@ -90,6 +97,29 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_EQ(m.next_wall, 0.5);
     EXPECT_EQ(m.wall_seconds, 12.5);
     EXPECT_EQ(m.step_factor, 0.5);
+    const RunMemory before = file.sound().read_memory();
+    ASSERT_EQ(before.window.size(), 1u);
+    EXPECT_EQ(before.window[0].Q_in, 0.6);
+    EXPECT_EQ(before.last_row, 30);
+    EXPECT_EQ(before.wall_frames, 1);
+}
+
+// A sound state that is the present one needs no file, and one that is not needs its own.
+TEST(Checkpoint, NamesItsSoundPoint)
+{
+    TemporaryDirectory dir;
+    const Example example;
+    const fs::path path = example.write(dir.path()), beside = dir.path() / "sound_0000000042.h5";
+    EXPECT_EQ(path.filename(), "step_0000000042.h5");
+    EXPECT_EQ(CheckpointFile(path).sound().step(), 40);
+    fs::rename(beside, dir.path() / "away");
+    EXPECT_THROW(CheckpointFile(path).sound(), InputError);
+    fs::copy(path, beside); // of another step
+    EXPECT_THROW(CheckpointFile(path).sound(), InputError);
+    write_checkpoint(dir.path(),
+                     {{example.state, example.memory}, {example.state, example.memory}, ""});
+    EXPECT_EQ(CheckpointFile(path).sound().step(), 42);
+    EXPECT_FALSE(fs::exists(beside));
 }
 
 /// What is said of a file; empty if it is found whole.
@@ -134,7 +164,7 @@ TEST(Checkpoint, OfAnotherKindOrVersionIsNamedAsSuch)
     TemporaryDirectory dir;
     std::string text = read_text(Example().write(dir.path()));
     const fs::path other = dir.path() / "other.h5";
-    const std::size_t place = text.find("format_version 4");
+    const std::size_t place = text.find("format_version 5");
     for (const char* version : {"2", "7"}) {
         text.replace(place + 15, 1, version);
         write_text(other, text);
@@ -162,10 +192,12 @@ TEST(Checkpoint, OfAnotherGridIsRefused)
 TEST(Checkpoint, IsNotWrittenOfAStateThatIsNotFinite)
 {
     TemporaryDirectory dir;
-    Example example;
-    example.state.fluid.P.values()[3] = std::nan("");
-    EXPECT_THROW(example.write(dir.path()), std::logic_error);
-    EXPECT_TRUE(fs::is_empty(dir.path()));
+    for (State Example::*of : {&Example::state, &Example::sound}) {
+        Example example;
+        (example.*of).fluid.P.values()[3] = std::nan("");
+        EXPECT_THROW(example.write(dir.path()), std::logic_error);
+        EXPECT_FALSE(fs::exists(dir.path() / "step_0000000042.h5"));
+    }
 }
 
 TEST(Checkpoint, ThatCannotBeWrittenLeavesTheOldOne)
@@ -186,7 +218,7 @@ TEST(CheckpointRing, KeepsTheLastOnesAndPointsAtTheLatest)
     CheckpointRing ring(dir.path(), 2);
     for (Index step : {5, 10, 15}) {
         example.state.step = step;
-        ring.write(example.state, example.memory, "");
+        ring.write(example.record(""));
     }
     const auto all = CheckpointRing::list(dir.path());
     ASSERT_EQ(all.size(), 2u);
@@ -196,9 +228,31 @@ TEST(CheckpointRing, KeepsTheLastOnesAndPointsAtTheLatest)
 
     ring.go_on_from(10);
     example.state.step = 12;
-    ring.write(example.state, example.memory, "");
+    ring.write(example.record(""));
     EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[0]).step(), 12);
     EXPECT_EQ(CheckpointFile(CheckpointRing::list(dir.path())[1]).step(), 10);
+}
+
+TEST(CheckpointRing, KeepsSoundPointsAsLongAsTheirCheckpoints)
+{
+    TemporaryDirectory dir;
+    Example example;
+    CheckpointRing ring(dir.path(), 2);
+    const fs::path folder = CheckpointRing::folder(dir.path());
+    fs::create_directory(folder);
+    write_text(folder / "sound_0000000044.h5", "left over by a kill");
+    ASSERT_EQ(CheckpointRing::orphans(dir.path()).size(), 1u);
+    for (Index step : {42, 45, 50}) {
+        example.state.step = step;
+        ring.write(example.record(""));
+    }
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+        names.push_back(entry.path().filename());
+    std::ranges::sort(names);
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"latest", "sound_0000000045.h5", "sound_0000000050.h5",
+                                        "step_0000000045.h5", "step_0000000050.h5"}));
 }
 
 TEST(CheckpointRing, KeepsTheNewerOnesBesideAnOlder)
@@ -208,7 +262,7 @@ TEST(CheckpointRing, KeepsTheNewerOnesBesideAnOlder)
     CheckpointRing ring(dir.path(), 2);
     for (Index step : {5, 10, 15, 3}) {
         example.state.step = step;
-        ring.write(example.state, example.memory, "");
+        ring.write(example.record(""));
     }
     std::vector<Index> steps;
     for (const fs::path& path : CheckpointRing::list(dir.path()))
@@ -221,7 +275,7 @@ TEST(CheckpointRing, OfNoneWritesNothing)
 {
     TemporaryDirectory dir;
     const Example example;
-    CheckpointRing(dir.path(), 0).write(example.state, example.memory, "");
+    CheckpointRing(dir.path(), 0).write(example.record(""));
     EXPECT_TRUE(fs::is_empty(dir.path()));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-/// A small state with a different number in every place, and its checkpoint.
+/// A small state with a different number in every place, a sound one before it, and their
+/// checkpoint.
 #include "output/checkpoint.hpp"
 
 namespace starling::test {
@@ -7,18 +8,45 @@ namespace starling::test {
 struct ExampleCheckpoint {
     Grid grid{{4, 3, 2}, {0, -1, -1}, {4, 2, 2}};
     Tube tube = make_tube({.length = 4, .rigid_inlet = 1, .rigid_outlet = 1}, 0.8);
-    State state{grid, tube};
-    RunMemory memory;
+    State state{grid, tube}, sound{grid, tube};
+    RunMemory memory, sound_memory;
 
     ExampleCheckpoint()
     {
-        Real next = 0.1;
-        const auto fill = [&](ScalarField& f) {
+        fill(sound, 40, 1000.1);
+        fill(state, 42, 0.1);
+        sound_memory.window.resize(1);
+        sound_memory.window[0].Q_in = 0.6;
+        sound_memory.last_row = 30;
+        sound_memory.wall_frames = 1;
+        sound_memory.step_factor = 0.5;
+        memory.window.resize(3);
+        memory.window[1].Q_in = 0.7;
+        memory.window[2].step = 41;
+        memory.last_row = 40;
+        memory.wall_frames = 2;
+        memory.next_wall = 0.5;
+        memory.wall_seconds = 12.5;
+        memory.step_factor = 0.5;
+    }
+    RunRecord record(const std::string& case_text) const
+    {
+        return {{state, memory}, {sound, sound_memory}, case_text};
+    }
+    std::filesystem::path write(const std::filesystem::path& directory) const
+    {
+        return write_checkpoint(directory, record("[fluid]\nreynolds = 1\n"));
+    }
+
+private:
+    static void fill(State& state, Index step, Real next)
+    {
+        const auto fill_field = [&](ScalarField& f) {
             for (Real& v : f.values()) v = next += 0.1;
         };
-        for (auto& f : state.fluid.u.component) fill(f);
-        for (auto& f : state.fluid.N_before.component) fill(f);
-        fill(state.fluid.P);
+        for (auto& f : state.fluid.u.component) fill_field(f);
+        for (auto& f : state.fluid.N_before.component) fill_field(f);
+        fill_field(state.fluid.P);
         state.fluid.ends.inside = {1.5, 2.5};
         state.fluid.ends.stored = 3.5;
         for (auto& values : state.fluid.ends.pressure)
@@ -36,21 +64,8 @@ struct ExampleCheckpoint {
             g.near_wall.push_back({2, 2, 1, false, {6, {1, next, 3}, 0.5, false}});
         }
         state.t = 1 / 3.;
-        state.step = 42;
+        state.step = step;
         state.dt = 0.02;
-        memory.window.resize(3);
-        memory.window[1].Q_in = 0.7;
-        memory.window[2].step = 41;
-        memory.last_row = 40;
-        memory.wall_frames = 2;
-        memory.next_wall = 0.5;
-        memory.wall_seconds = 12.5;
-        memory.step_factor = 0.5;
-    }
-    std::filesystem::path write(const std::filesystem::path& directory) const
-    {
-        write_checkpoint(directory / "step.h5", state, memory, "[fluid]\nreynolds = 1\n");
-        return directory / "step.h5";
     }
 };
 

@@ -81,15 +81,16 @@ TEST_P(Resume, ContinuesToTheBitFromAnyStep)
     Simulation whole(c);
     for (Index n = 0; n < last; ++n) {
         if (n % 9 == 4 || n == 0)
-            write_checkpoint(dir.path() / (std::to_string(n) + ".h5"), whole.state(), {},
-                             write_case(c));
+            write_checkpoint(dir.path(),
+                             {{whole.state(), {}}, {whole.good_state(), {}}, write_case(c)});
         whole.step();
     }
     omp_set_num_threads(threads);
     for (const auto& entry : fs::directory_iterator(dir.path())) {
+        if (entry.path().filename().string().starts_with("sound")) continue;
         const CheckpointFile file(entry.path());
         Simulation part(c);
-        part.restore([&](State& s) { file.read(s); }, 1);
+        part.restore([&](State& s) { file.read(s); }, [&](State& s) { file.sound().read(s); }, 1);
         while (part.steps() < last) part.step();
         EXPECT_TRUE(bits(part.state()) == bits(whole.state())) << "from step " << file.step();
     }
@@ -172,15 +173,21 @@ TEST(LatestCheckpoint, OffersTheOneBeforeADamagedOne)
     EXPECT_NE(message.find("--from " + all[1].string()), std::string::npos) << message;
 }
 
-// Short edges without the filter: the wall trembles at twice the automatic step.
-TEST(Retry, GoesOnWithHalfTheStepWithoutAGapOrADoubleRow)
+/// Short edges without the filter: the wall trembles at twice the automatic step.
+Case trembling_tube()
 {
-    TemporaryDirectory dir;
     Case c = coarse_tube();
     c.time.safety = 2;
     c.tube.mesh_filter = 0;
     c.tube.edge_over_spacing = 0.3;
     c.stop.steps = 120;
+    return c;
+}
+
+TEST(Retry, GoesOnWithHalfTheStepWithoutAGapOrADoubleRow)
+{
+    TemporaryDirectory dir;
+    const Case c = trembling_tube();
     Quiet quiet;
     const Summary summary = run_to(c, dir.path() / "out", quiet);
     ASSERT_FALSE(quiet.retries.empty());
@@ -194,6 +201,67 @@ TEST(Retry, GoesOnWithHalfTheStepWithoutAGapOrADoubleRow)
         EXPECT_EQ(line.substr(line.find(',') + 1, std::to_string(expected).size() + 1),
                   std::to_string(expected) + ",");
     EXPECT_EQ(expected, 130);
+}
+
+/// Stops and goes on at each of the steps; what was tried again on the way.
+std::vector<Retry> run_in_parts(Case c, const fs::path& out, const std::vector<Index>& stops)
+{
+    Quiet quiet;
+    const Index last = *c.stop.steps;
+    c.stop.steps = stops.front();
+    run_to(c, out, quiet);
+    for (std::size_t n = 1; n <= stops.size(); ++n) {
+        c.stop.steps = n < stops.size() ? stops[n] : last;
+        resume(c, latest_checkpoint(out), out, quiet);
+    }
+    return quiet.retries;
+}
+
+// The wall breaks down twice, and goes back to states before the moments at which the run stopped.
+TEST(Retry, IsTheSameToTheBitAfterResuming)
+{
+    TemporaryDirectory dir;
+    Case c = trembling_tube();
+    c.output.wall_every = 0.2;
+    Quiet quiet;
+    const fs::path whole = dir.path() / "whole", parts = dir.path() / "parts";
+    run_to(c, whole, quiet);
+    ASSERT_FALSE(quiet.retries.empty());
+    const auto retries = run_in_parts(c, parts, {7, 47, 52, 63, 101});
+    ASSERT_EQ(retries.size(), quiet.retries.size());
+    for (std::size_t n = 0; n < retries.size(); ++n) {
+        EXPECT_EQ(retries[n].step, quiet.retries[n].step);
+        EXPECT_EQ(retries[n].reason, quiet.retries[n].reason);
+    }
+    for (const char* name : {"series.csv", "profile.csv", "sections.csv", "wall.xdmf"})
+        EXPECT_EQ(read_text(whole / name), read_text(parts / name)) << name;
+}
+
+// Killed after it has gone back, before the next checkpoint would be due.
+TEST(Retry, LeavesACheckpointToGoOnFrom)
+{
+    class Killed : public Quiet {
+        void retrying(const Retry& /*retry*/) override { throw std::runtime_error("killed"); }
+    } killed;
+    TemporaryDirectory dir;
+    Case c = trembling_tube();
+    c.checkpoint.steps = 9; // newer than the sound state
+    const fs::path whole = dir.path() / "whole", out = dir.path() / "out";
+    EXPECT_THROW(run_to(c, out, killed), std::runtime_error);
+    const CheckpointFile latest = latest_checkpoint(out);
+    EXPECT_EQ(latest.read_memory().step_factor, 0.5);
+    Quiet quiet;
+    resume(c, latest, out, quiet);
+    run_to(c, whole, quiet);
+    EXPECT_EQ(read_text(whole / "series.csv"), read_text(out / "series.csv"));
+}
+
+TEST(CheckpointIsTimely, SomewhatEarlierAtASoundState)
+{
+    EXPECT_FALSE(checkpoint_is_timely(530, 600, true));
+    EXPECT_TRUE(checkpoint_is_timely(541, 600, true));
+    EXPECT_FALSE(checkpoint_is_timely(599, 600, false));
+    EXPECT_TRUE(checkpoint_is_timely(600, 600, false));
 }
 
 TEST(Retry, IsNotMadeWhereWallsMeet)
