@@ -9,6 +9,7 @@
 #include "console.hpp"
 #include "core/error.hpp"
 #include "environment.hpp"
+#include "output/run_directory.hpp"
 #include "readers.hpp"
 #include "report.hpp"
 #include "report/write_report.hpp"
@@ -22,6 +23,22 @@ namespace starling::app {
 
 namespace {
 
+/// Says where the surroundings of a breakdown can be looked at.
+template <class Compute>
+auto with_place_to_look(const std::string& directory, Compute compute)
+{
+    try {
+        return compute();
+    } catch (const NumericalError& e) {
+        if (!std::filesystem::exists(std::filesystem::path(directory) / "breakdown_wall.xdmf"))
+            throw;
+        throw NumericalError(
+            e, fmt::format("look: starling plot {0} draws {0}/breakdown.png; ParaView opens "
+                           "{0}/breakdown_wall.xdmf and breakdown_fluid.xdmf",
+                           directory));
+    }
+}
+
 /// Runs `compute` with an observer; prints unless the user wants it quiet.
 template <class Compute>
 void observe(const CommandLine& line, const Case& c, Compute compute)
@@ -29,11 +46,11 @@ void observe(const CommandLine& line, const Case& c, Compute compute)
     catch_stop_signals();
     if (line.quiet) {
         QuietObserver observer;
-        compute(observer);
+        with_place_to_look(line.directory, [&] { return compute(observer); });
         return;
     }
     ConsoleObserver observer;
-    const Summary summary = compute(observer);
+    const Summary summary = with_place_to_look(line.directory, [&] { return compute(observer); });
     observer.finished();
     fmt::print("{}", summary_text(summary, c, line.directory));
 }
@@ -48,6 +65,13 @@ void run_command(const CommandLine& line)
 
 void resume_command(const CommandLine& line)
 {
+    if (RunDirectory::in_use(line.directory))
+        throw InputError(
+            line.directory +
+            ": the run is still going on; how far it is, tells "
+            "starling info " +
+            line.directory +
+            "; Ctrl-C in its terminal, or SIGTERM, stops it so that it can be resumed");
     if (line.threads > 0) omp_set_num_threads(line.threads);
     const CheckpointFile checkpoint = line.checkpoint.empty() ? latest_checkpoint(line.directory)
                                                               : CheckpointFile(line.checkpoint);
@@ -61,6 +85,11 @@ void check_command(const CommandLine& line)
 {
     const Case c = read_case(line.case_file, line.overrides);
     fmt::print("{}", check_text(c, estimate_run(c)));
+}
+
+bool gives_steady_pressures(const DriveParameters& drive)
+{
+    return drive.gives_pressures() && !drive.has_waveform();
 }
 
 /// The table that `--csv` asks for.
@@ -93,7 +122,16 @@ void theory_command(const CommandLine& line)
     const Case c = read_case(line.case_file, line.overrides);
     const TubeProblem problem{c.tube, c.material, c.fluid, c.drive};
     if (!line.csv.empty()) {
+        if (!gives_steady_pressures(c.drive))
+            throw InputError("--csv: the models are of steady pressures at both ends, which this "
+                             "case does not give");
         fmt::print("{}", theory_table(line.csv, problem, c.scaling));
+        return;
+    }
+    if (!gives_steady_pressures(c.drive)) {
+        fmt::print(
+            "The models are of steady pressures at both ends, which this case does not give: "
+            "nothing to predict.\n");
         return;
     }
     const auto buckling = buckling_report(problem);

@@ -10,6 +10,7 @@
 
 #include "core/error.hpp"
 #include "output/export.hpp"
+#include "output/field_file.hpp"
 #include "simulation/inspect.hpp"
 
 namespace starling::app {
@@ -70,6 +71,11 @@ std::string checkpoints_text(const std::vector<CheckpointContents>& all)
 std::string advice(const RunContents& run, const fs::path& directory)
 {
     if (run.running) return "";
+    const bool latest_is_whole =
+        !run.checkpoints.empty() && run.checkpoints.front().problem.empty();
+    if (!run.later_end.empty() && latest_is_whole)
+        return "Go further: starling resume " + directory.string() + " --set " + run.later_end +
+               "\n";
     for (std::size_t n = 0; n < run.checkpoints.size(); ++n)
         if (run.checkpoints[n].problem.empty())
             return "Go on: starling resume " + directory.string() +
@@ -150,6 +156,26 @@ Info describe_frame(const fs::path& path)
     }
 }
 
+/// wall.h5 or fluid.h5, which shows the frames beside it.
+Info describe_index(const fs::path& path)
+{
+    try {
+        check_seal(path, index_seal);
+    } catch (const InputError& e) {
+        return {std::string(e.what()) + "\n", false};
+    }
+    const auto frames = list_frames(path.parent_path(), path.stem());
+    std::string text =
+        path.string() + ": shows the frames beside it\n" + line("frames", frames_text(frames));
+    std::size_t damaged = 0;
+    for (const ListedFrame& frame : frames) {
+        damaged += !frame.problem.empty();
+        if (!frame.problem.empty())
+            text += "  " + frame.path.string() + ": " + frame.problem + "\n";
+    }
+    return {text + (damaged == 0 ? "All files are whole.\n" : ""), damaged == 0};
+}
+
 Real time_in(const std::string& text)
 {
     Real t = 0;
@@ -167,8 +193,11 @@ std::string what_to_export(const ExportRequest& request)
     if (end != ".vtp" && end != ".vti" && end != ".csv")
         throw InputError("--out " + request.to.string() +
                          ": must end in .vtp (the wall), .vti (the fluid) or .csv");
+    std::error_code none;
+    const bool one_frame = fs::is_regular_file(request.from, none);
     const std::string fits = end == ".vti" ? "fluid" : "wall";
-    if (request.what.empty()) return fits;
+    if (request.what.empty())
+        return end == ".csv" && one_frame ? FrameFile(request.from).head().of : fits;
     if (end != ".csv" && request.what != fits)
         throw InputError("--what " + request.what + ": " + end + " files hold the " + fits);
     return request.what;
@@ -183,11 +212,11 @@ ListedFrame choose_frame(const ExportRequest& request, const std::string& what)
         throw InputError(request.from.string() + ": holds no frames of the " + what);
     const Real t =
         request.time.empty() ? std::numeric_limits<Real>::infinity() : time_in(request.time);
-    ListedFrame best;
+    ListedFrame best; // times increase: the last of those up to t, or the one after it
     for (const ListedFrame& frame : frames) {
         if (!frame.problem.empty()) continue;
-        const bool nearer = best.path.empty() || std::isinf(t) ||
-                            std::abs(frame.head.t - t) < std::abs(best.head.t - t);
+        const bool nearer = best.path.empty() || frame.head.t <= t ||
+                            (best.head.t < t && frame.head.t - t < t - best.head.t);
         if (nearer) best = frame;
     }
     if (best.path.empty())
@@ -232,8 +261,9 @@ Info describe_path(const fs::path& path)
     const std::string kind = sealed_kind(path), folder = path.parent_path().filename();
     if (kind == "checkpoint" || folder == "checkpoints") return describe_checkpoint(path);
     if (kind == "frame" || folder == "frames") return describe_frame(path);
-    throw InputError(path.string() + ": is neither a checkpoint nor a frame of Starling; the "
-                                     "directory of a run is told about by: starling info DIR");
+    if (kind == "index") return describe_index(path);
+    throw InputError(path.string() + ": is none of the HDF5 files of Starling; the directory of a "
+                                     "run is told about by: starling info DIR");
 }
 
 std::string export_frame(const ExportRequest& request)

@@ -8,6 +8,7 @@
 #include "config/shipped_cases.hpp"
 #include "console.hpp"
 #include "output/summary.hpp"
+#include "simulation/run.hpp"
 
 namespace starling::app {
 
@@ -112,7 +113,14 @@ std::string phase_text(const Summary& s)
     return text;
 }
 
-std::string files_text(const Case& c, const std::filesystem::path& directory)
+std::string way_on(const Summary& s, const Case& c, const std::string& directory)
+{
+    const std::string later = later_end(c, s.reason, s.last.step);
+    return later.empty() ? "  go on: starling resume " + directory + "\n"
+                         : "  go further: starling resume " + directory + " --set " + later + "\n";
+}
+
+std::string files_text(const Summary& s, const Case& c, const std::filesystem::path& directory)
 {
     std::string text = "Files in " + directory.string() + " (docs/results.md)\n";
     text += "  summary.json, series.csv, profile.csv, sections.csv, case.toml\n";
@@ -121,7 +129,7 @@ std::string files_text(const Case& c, const std::filesystem::path& directory)
                 (c.output.wall && c.output.fluid ? ", " : "") +
                 (c.output.fluid ? "fluid.xdmf" : "") + ": open with ParaView\n";
     }
-    if (c.checkpoint.keep > 0) text += "  go on: starling resume " + directory.string() + "\n";
+    if (c.checkpoint.keep > 0) text += way_on(s, c, directory.string());
     text += "  pictures: starling plot " + directory.string() + "\n";
     return text + "  a page for the browser: starling report " + directory.string() + "\n";
 }
@@ -193,7 +201,7 @@ std::string summary_text(const Summary& summary, const Case& c,
     add_speed(table, summary);
     add_results(table, summary);
     return table.text() + theory_text(summary) + warning_text(summary.warnings) +
-           phase_text(summary) + files_text(c, directory);
+           phase_text(summary) + files_text(summary, c, directory);
 }
 
 std::string check_text(const Case& c, const RunEstimate& estimate)

@@ -99,7 +99,13 @@ def read(directory, name):
 
 def save(figure, directory, name):
     path = os.path.join(directory, name)
-    figure.savefig(path)
+    try:
+        figure.savefig(path + ".new", format="png")
+        os.replace(path + ".new", path)
+    except OSError as error:
+        if os.path.exists(path + ".new"):
+            os.remove(path + ".new")
+        sys.exit(f"starling plot: cannot write {path}: {error.strerror}")
     plt.close(figure)
     print(path)
 

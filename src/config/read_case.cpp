@@ -12,6 +12,7 @@
 #include "config/read_wall.hpp"
 #include "config/shipped_cases.hpp"
 #include "config/validate.hpp"
+#include "config/write_case.hpp"
 
 namespace starling {
 
@@ -121,7 +122,10 @@ Case read_case_text(std::string_view text, const std::string& name,
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-    return read_case_text(read_text(file), file.string(), overrides);
+    const std::string text = read_text(file);
+    if (lacks_end(text))
+        throw InputError({{file.string(), 0, "", "is cut off: its last line is missing"}});
+    return read_case_text(text, file.string(), overrides);
 }
 
 } // namespace starling

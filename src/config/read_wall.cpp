@@ -87,7 +87,9 @@ std::optional<long double> surface_shear_modulus(CaseValues& values, bool requir
     const std::string_view direct = "wall.surface_shear_modulus";
     const bool young = values.given("wall.youngs_modulus") || values.given("wall.thickness");
     if (values.given(direct)) {
-        if (young) values.problem(direct, "give it, or youngs_modulus and thickness, not both");
+        if (young)
+            values.problem(direct, "give it, or youngs_modulus and thickness, not both (the "
+                                   "case.toml of a run holds it in their place)");
         return values.has(direct) ? std::optional(values.si(direct)) : std::nullopt;
     }
     if (!young) {

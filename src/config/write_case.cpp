@@ -326,4 +326,23 @@ std::string write_case(const Case& c)
     return w.result();
 }
 
+namespace {
+
+constexpr std::string_view last_line = "# End of the case";
+constexpr std::string_view promise = ", up to the line \"# End of the case\"";
+
+} // namespace
+
+std::string write_case_with_end(const std::string& head, const Case& c)
+{
+    return head + std::string(promise) + '\n' + write_case(c) + std::string(last_line) + '\n';
+}
+
+bool lacks_end(std::string_view text)
+{
+    if (!text.substr(0, text.find('\n')).ends_with(promise)) return false;
+    while (text.ends_with('\n')) text.remove_suffix(1); // as an editor may add them
+    return !text.ends_with(std::string("\n") + std::string(last_line));
+}
+
 } // namespace starling

@@ -37,4 +37,9 @@ NumericalError::NumericalError(const std::string& what_when_and_where, const std
 {
 }
 
+NumericalError::NumericalError(const NumericalError& e, const std::string& line)
+    : std::runtime_error(std::string(e.what()) + "\n  " + line), breakdown_(e.breakdown_)
+{
+}
+
 } // namespace starling

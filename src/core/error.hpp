@@ -42,6 +42,9 @@ public:
     NumericalError(const std::string& what_when_and_where, const std::string& remedy,
                    const Breakdown& breakdown = {});
 
+    /// The same with a line more.
+    NumericalError(const NumericalError& e, const std::string& line);
+
     const Breakdown& breakdown() const { return breakdown_; }
 
 private:

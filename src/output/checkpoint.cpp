@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
+#include <exception>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "output/file_name.hpp"
+#include "output/replace_file.hpp"
 #include "output/series.hpp"
 #include "output/version.hpp"
 
@@ -27,18 +26,6 @@ constexpr std::array<const char*, 2> end_pressure_names = {"/fluid/P_inlet", "/f
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
     throw InputError(path.string() + ": " + reason);
-}
-
-/// Makes a new name in the folder durable.
-void sync_folder(const fs::path& folder)
-{
-    const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (file < 0 || fsync(file) != 0) {
-        const int reason = errno;
-        if (file >= 0) close(file);
-        throw std::runtime_error("cannot write " + folder.string() + ": " + std::strerror(reason));
-    }
-    close(file);
 }
 
 /// The small numbers of a run's memory as attributes of /run.
@@ -171,6 +158,8 @@ void write_memory(hdf5::File& file, const RunMemory& m)
     for (const Sample& s : m.window)
         for (const Column<Sample>& c : sample_columns())
             values.push_back(std::visit([&](auto p) { return static_cast<Real>(s.*p); }, c.member));
+    file.write("/run/phase_seconds", {m.phase_seconds.size()}, m.phase_seconds,
+               hdf5::Precision::full);
     file.write("/run/window", {m.window.size(), sample_columns().size()}, values,
                hdf5::Precision::full);
 }
@@ -234,7 +223,7 @@ void write_point(const fs::path& path, const RunPoint& point, Index sound_step,
     try {
         write_hdf5(temporary, point, sound_step, case_text);
         fs::rename(temporary, path);
-        sync_folder(path.parent_path());
+        sync_to_disk(path.parent_path()); // its name
     } catch (...) {
         std::error_code none;
         fs::remove(temporary, none);
@@ -248,9 +237,21 @@ fs::path write_checkpoint(const fs::path& folder, const RunRecord& record)
 {
     const Index step = record.now.state.step, sound_step = record.sound.state.step;
     fs::path path = folder / checkpoint_name(step);
-    if (sound_step != step)
-        write_point(folder / sound_name(step), record.sound, sound_step, record.case_text);
-    write_point(path, record.now, sound_step, record.case_text);
+    std::exception_ptr no_sound; // the present state may be written all the same
+    try {
+        if (sound_step != step)
+            write_point(folder / sound_name(step), record.sound, sound_step, record.case_text);
+    } catch (const std::runtime_error&) {
+        no_sound = std::current_exception();
+    }
+    try {
+        write_point(path, record.now, sound_step, record.case_text);
+    } catch (...) { // no room is taken by what is of no use alone
+        std::error_code none;
+        if (!fs::exists(path, none)) fs::remove(folder / sound_name(step), none);
+        throw;
+    }
+    if (no_sound) std::rethrow_exception(no_sound);
     if (sound_step == step) fs::remove(folder / sound_name(step)); // of an earlier one
     return path;
 }
@@ -342,6 +343,8 @@ RunMemory CheckpointFile::read_memory() const
             else
                 value = file.real_attribute("/run", name);
         });
+        m.phase_seconds.resize(file.size("/run/phase_seconds"));
+        file.read("/run/phase_seconds", m.phase_seconds);
         const auto columns = sample_columns();
         m.window.resize(file.size("/run/window") / columns.size());
         std::vector<Real> values(m.window.size() * columns.size());

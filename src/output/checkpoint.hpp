@@ -25,6 +25,7 @@ struct RunMemory {
     Real next_wall = 0, next_fluid = 0;      ///< times of the next frames
     double wall_seconds = 0;                 ///< real time so far
     Real step_factor = 1;                    ///< of the automatic step, after a blow-up
+    std::vector<Real> phase_seconds;         ///< time in the phases of the step so far
 };
 
 /// A run after one of its steps.

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "output/file_name.hpp"
 #include "output/frame_file.hpp"
+#include "output/replace_file.hpp"
 
 namespace starling {
 
@@ -33,6 +35,28 @@ std::vector<Real> coordinates(const std::vector<Vec3>& points)
     return xyz;
 }
 
+constexpr const char* xdmf_attribute = "xdmf"; ///< of a frame: its part of NAME.xdmf
+
+/// What the first frames say about themselves.
+std::vector<xdmf::Grid> grids_of(const FieldFileOptions& options, const std::string& name)
+{
+    std::vector<xdmf::Grid> grids;
+    for (Index n = 0; n < options.keep; ++n) {
+        const fs::path path = options.directory / frame_name(name, n);
+        try {
+            const FrameFile frame(path);
+            grids.push_back(
+                {frame.head().t, hdf5::File::open(path).text_attribute("/", xdmf_attribute)});
+        } catch (const std::exception& e) {
+            throw InputError(fmt::format("{}: is missing or ends before the checkpoint, and cannot "
+                                         "be made anew: {}",
+                                         (options.directory / (name + ".xdmf")).string(),
+                                         e.what()));
+        }
+    }
+    return grids;
+}
+
 std::vector<Real> as_real(const NamedArray& a) { return {a.values.begin(), a.values.end()}; }
 
 /// [x][y][z][component] -> [z][y][x][component].
@@ -59,11 +83,15 @@ std::string frame_name(const std::string& name, Index frame)
 
 FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     : options_(std::move(options)), what_(std::move(what)), name_(options_.prefix + what_),
-      series_(options_.directory / (name_ + ".xdmf"), name_), frames_(options_.keep)
+      series_(options_.directory / (name_ + ".xdmf"), name_), frames_(options_.keep),
+      synced_(options_.keep)
 {
     fs::create_directory(options_.directory / "frames");
     if (frames_ > 0) {
-        series_.keep(frames_);
+        if (series_.holds(frames_))
+            series_.keep(frames_);
+        else
+            series_.keep(grids_of(options_, name_));
         write_index();
     } else {
         fs::remove(options_.directory / (name_ + ".xdmf"));
@@ -72,11 +100,12 @@ FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
     remove_later_frames();
 }
 
-void FrameWriter::check(const FieldFileOptions& options, const std::string& what)
+bool FrameWriter::lists_frames(const FieldFileOptions& options, const std::string& what)
 {
     const std::string name = options.prefix + what;
-    if (options.keep > 0)
-        xdmf::Series(options.directory / (name + ".xdmf"), name).check(options.keep);
+    if (xdmf::Series(options.directory / (name + ".xdmf"), name).holds(options.keep)) return true;
+    grids_of(options, name);
+    return false;
 }
 
 /// Frames from number `frames_` on and those that a kill left unfinished.
@@ -122,11 +151,21 @@ xdmf::Array FrameWriter::write(Frame& frame, const std::string& name,
 void FrameWriter::end(Frame frame, Real t)
 {
     const fs::path path = options_.directory / frame.name;
+    frame.file.attribute("/", xdmf_attribute, frame.xdmf);
     save_sealed(frame.file, frame_seal, false);
     fs::rename(path.string() + ".new", path);
     ++frames_;
     write_index();
-    series_.add(t * options_.scaling.factor(Quantity::time), frame.xdmf);
+    series_.add({t * options_.scaling.factor(Quantity::time), frame.xdmf});
+}
+
+// NAME.h5 and NAME.xdmf can be made anew from the frames.
+void FrameWriter::sync()
+{
+    if (synced_ == frames_) return;
+    for (; synced_ < frames_; ++synced_)
+        sync_to_disk(options_.directory / frame_name(name_, synced_));
+    sync_to_disk(options_.directory / "frames");
 }
 
 void FrameWriter::write_index() const

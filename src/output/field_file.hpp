@@ -33,10 +33,12 @@ struct FieldFileOptions {
 /// What both field files share: the pair of files, frame groups, arrays in the case's units.
 class FrameWriter {
 public:
-    /// Throws InputError where fewer frames are there than are to be kept.
+    /// Makes NAME.xdmf anew from the frames where it does not list all that are to be kept; throws
+    /// InputError where these cannot be read.
     FrameWriter(FieldFileOptions options, std::string what);
-    /// Throws as the constructor does, and changes nothing.
-    static void check(const FieldFileOptions& options, const std::string& what);
+    /// Whether NAME.xdmf lists all frames that are to be kept. Throws as the constructor does, and
+    /// changes nothing.
+    static bool lists_frames(const FieldFileOptions& options, const std::string& what);
 
     /// Writes the arrays of a new frame to an open file and describes them in XDMF.
     struct Frame {
@@ -54,6 +56,8 @@ public:
     const Scaling& scaling() const { return options_.scaling; }
     const std::string& name() const { return name_; }
     Index frames() const { return frames_; }
+    /// Waits until the frames written so far are on the disk itself.
+    void sync();
 
 private:
     void write_index() const;
@@ -64,6 +68,7 @@ private:
     std::string name_; ///< that with the prefix
     xdmf::Series series_;
     Index frames_ = 0;
+    Index synced_ = 0; ///< frames that are on the disk itself
 };
 
 /// wall.h5 and wall.xdmf: a triangle mesh with moving points.
@@ -73,6 +78,7 @@ public:
     /// Appends a frame; throws std::runtime_error where it cannot be written.
     void write(const WallSnapshot& snapshot);
     Index frames() const { return writer_.frames(); }
+    void sync() { writer_.sync(); } ///< see FrameWriter
 
 private:
     FrameWriter writer_;
@@ -86,6 +92,7 @@ public:
     /// Appends a frame; throws std::runtime_error where it cannot be written.
     void write(const FluidSnapshot& snapshot);
     Index frames() const { return writer_.frames(); }
+    void sync() { writer_.sync(); } ///< see FrameWriter
 
 private:
     FrameWriter writer_;

@@ -42,4 +42,15 @@ void write_bytes(const std::filesystem::path& path, std::span<const char> bytes,
                              std::strerror(good ? errno : reason));
 }
 
+void sync_to_disk(const std::filesystem::path& path)
+{
+    const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0 || fsync(file) != 0) {
+        const int reason = errno;
+        if (file >= 0) close(file);
+        throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(reason));
+    }
+    close(file);
+}
+
 } // namespace starling

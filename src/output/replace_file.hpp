@@ -13,4 +13,8 @@ void replace_file(const std::filesystem::path& path, const std::string& text);
 /// std::runtime_error with the reason, and removes what was written so far.
 void write_bytes(const std::filesystem::path& path, std::span<const char> bytes, bool sync);
 
+/// Waits until a file or the names in a folder are on the disk itself (fsync); throws
+/// std::runtime_error.
+void sync_to_disk(const std::filesystem::path& path);
+
 } // namespace starling

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.hpp"
 #include "output/replace_file.hpp"
 
 namespace starling::xdmf {
@@ -40,12 +39,19 @@ Series::Series(std::filesystem::path path, std::string name)
 
 void Series::keep(Index frames)
 {
-    frames_ = first(frames);
+    frames_ = first(frames).value();
     replace();
 }
 
-/// The first `frames` grids of the file.
-std::string Series::first(Index frames) const
+void Series::keep(const std::vector<Grid>& grids)
+{
+    frames_.clear();
+    for (const Grid& grid : grids) frames_ += text_of(grid);
+    replace();
+}
+
+/// The first `frames` grids of the file; nothing where it holds fewer.
+std::optional<std::string> Series::first(Index frames) const
 {
     std::ifstream stream(path_, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(stream), {}};
@@ -56,20 +62,22 @@ std::string Series::first(Index frames) const
     for (Index n = 0; n < frames; ++n) {
         const std::size_t next =
             text.compare(end, head.size(), head) == 0 ? text.find(tail, end) : std::string::npos;
-        if (next == std::string::npos)
-            throw InputError(fmt::format("{}: holds fewer than the {} frames that belong to the "
-                                         "checkpoint",
-                                         path_.string(), frames));
+        if (next == std::string::npos) return std::nullopt;
         end = next + tail.size();
     }
     return text.substr(begin, end - begin);
 }
 
-void Series::add(Real t, const std::string& body)
+std::string Series::text_of(const Grid& grid) const
 {
-    frames_ += fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n{}"
-                           "</Grid>\n",
-                           name_, t, body);
+    return fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">\n<Time Value=\"{}\"/>\n{}"
+                       "</Grid>\n",
+                       name_, grid.t, grid.body);
+}
+
+void Series::add(const Grid& grid)
+{
+    frames_ += text_of(grid);
     replace();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// XDMF: the small XML file beside an HDF5 file that tells ParaView what the arrays mean.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,20 +27,29 @@ std::string data_item_zyx(const Vec3& v);
 /// Names an array as a scalar or, with three components, a vector field.
 std::string attribute(const std::string& name, Centre centre, int components, const Array& array);
 
+/// One grid of a time series: its topology, geometry and attributes.
+struct Grid {
+    Real t = 0;
+    std::string body;
+};
+
 /// A time series of grids in one XDMF file. The file is replaced as a whole after each frame, so
 /// that it is complete at every moment.
 class Series {
 public:
     Series(std::filesystem::path path, std::string name);
-    /// Goes on from the first `frames` grids of the file; throws InputError where it has fewer.
+    /// Goes on from the first `frames` grids of the file, which holds so many.
     void keep(Index frames);
-    /// Throws as `keep` does, and changes nothing.
-    void check(Index frames) const { first(frames); }
-    /// Adds a grid whose topology, geometry and attributes are `body`; times must increase.
-    void add(Real t, const std::string& body);
+    /// Whether the file holds that many grids.
+    bool holds(Index frames) const { return first(frames).has_value(); }
+    /// Goes on from these, whatever the file holds.
+    void keep(const std::vector<Grid>& grids);
+    /// Adds a grid; times must increase.
+    void add(const Grid& grid);
 
 private:
-    std::string first(Index frames) const;
+    std::optional<std::string> first(Index frames) const;
+    std::string text_of(const Grid& grid) const;
     void replace() const;
 
     std::filesystem::path path_;

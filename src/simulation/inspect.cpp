@@ -13,6 +13,7 @@
 #include "output/read_table.hpp"
 #include "output/run_directory.hpp"
 #include "output/series.hpp"
+#include "simulation/run.hpp"
 
 namespace starling {
 
@@ -69,15 +70,22 @@ public:
     RunContents look()
     {
         found_.running = RunDirectory::in_use(directory_);
-        look_at("case.toml", [&](const fs::path& p) { found_.title = read_case(p).title; });
+        look_at("case.toml", [&](const fs::path& p) {
+            case_ = read_case(p);
+            found_.title = case_->title;
+        });
         look_at("series.csv", [&](const fs::path& p) { found_.series = inspect_series(p); });
         look_at("summary.json", [&](const fs::path& p) {
-            found_.ended = nlohmann::json::parse(read_text(p)).at("reason").get<std::string>();
+            const auto summary = nlohmann::json::parse(read_text(p));
+            found_.ended = summary.at("reason").get<std::string>();
+            if (case_) found_.later_end = later_end(*case_, found_.ended, summary.at("steps"));
         });
         found_.wall = look_at_frames("wall");
         found_.fluid = look_at_frames("fluid");
         for (const fs::path& path : CheckpointRing::list(directory_)) look_at_checkpoint(path);
-        if (!found_.running) list_leftovers();
+        if (found_.running) return found_;
+        list_leftovers();
+        look_for_unlisted_frames();
         return found_;
     }
 
@@ -132,6 +140,21 @@ private:
         return frames;
     }
 
+    /// Frames that belong to the checkpoint to go on from.
+    void look_for_unlisted_frames()
+    {
+        const auto whole = std::ranges::find_if(found_.checkpoints,
+                                                [](const auto& c) { return c.problem.empty(); });
+        if (whole == found_.checkpoints.end()) return;
+        for (const auto& [of, frames] :
+             {std::pair{"wall", whole->wall_frames}, {"fluid", whole->fluid_frames}}) {
+            const fs::path path = directory_ / (std::string(of) + ".xdmf");
+            if (!xdmf::Series(path, of).holds(frames))
+                note(path,
+                     "does not list all frames up to the checkpoint; to resume makes it anew");
+        }
+    }
+
     void list_leftovers()
     {
         for (const fs::path& folder :
@@ -146,6 +169,7 @@ private:
     }
 
     fs::path directory_;
+    std::optional<Case> case_; ///< where case.toml can be read
     RunContents found_;
 };
 
@@ -162,6 +186,9 @@ CheckpointContents inspect_checkpoint(const fs::path& path)
         found.t = file.t() * c.scaling.factor(Quantity::time);
         found.unit_of_t = c.scaling.unit(Quantity::time);
         found.version = file.version();
+        const RunMemory memory = file.read_memory();
+        found.wall_frames = memory.wall_frames;
+        found.fluid_frames = memory.fluid_frames;
         found.title = c.title;
     } catch (const std::exception& e) {
         found.problem = reason_in(e, path);

@@ -28,7 +28,8 @@ struct SeriesContents {
 struct CheckpointContents {
     std::filesystem::path path;
     Index step = 0;
-    Real t = 0; ///< in the units of the case
+    Real t = 0;                              ///< in the units of the case
+    Index wall_frames = 0, fluid_frames = 0; ///< that belong to it
     std::string unit_of_t, version, title;
     std::string problem; ///< empty: whole
 };
@@ -36,8 +37,9 @@ struct CheckpointContents {
 /// A run directory.
 struct RunContents {
     std::string title;
-    bool running = false; ///< a run is writing to it now
-    std::string ended;    ///< reason in summary.json; empty where the run has not ended
+    bool running = false;  ///< a run is writing to it now
+    std::string ended;     ///< reason in summary.json; empty where the run has not ended
+    std::string later_end; ///< for --set: with it a run that has ended would go further
     std::optional<SeriesContents> series;
     std::vector<ListedFrame> wall, fluid;
     std::vector<CheckpointContents> checkpoints;  ///< latest first

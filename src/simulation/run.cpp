@@ -33,17 +33,6 @@ std::optional<TheoryReport> theory_of(const Case& c)
     }
 }
 
-/// A value, as for --set, of the stop criterion that ended a run, with which it would go on.
-std::string later_end(const Case& c, const std::string& reason, Index steps)
-{
-    if (reason == "steady")
-        return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
-    if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
-    const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
-    return c.scaling.si ? fmt::format("\"stop.end_time={:g} s\"", end)
-                        : fmt::format("stop.end_time={:g}", end);
-}
-
 /// The state of a run in progress.
 class Run {
 public:
@@ -77,12 +66,12 @@ public:
                              "); change what ends it, as in --set " +
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
-        files_.check_go_on(m);
-        for (const std::string& damage : files_.damaged_frames(m))
-            observer_.warn(damage + "; the run goes on, this frame stays as it is");
+        files_.check_go_on(m, case_of(file));
+        for (const std::string& damage : files_.damage(m)) observer_.warn(damage);
         remember(m);
         if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
+        phases_before_ = m.phase_seconds;
         if (theory_) files_.theory(*theory_);
         start();
         return go_on();
@@ -257,6 +246,7 @@ private:
         m.window = stop_.memory();
         m.wall_seconds = seconds_before_ + seconds();
         m.step_factor = step_factor_;
+        for (const auto& phase : phase_seconds()) m.phase_seconds.push_back(phase.second);
         files_.note(m);
         return m;
     }
@@ -282,6 +272,18 @@ private:
         return static_cast<double>(simulation_.steps() - first_step_) / seconds();
     }
 
+    /// Of the run from its beginning, also where it was resumed.
+    std::vector<std::pair<std::string, double>> phase_seconds() const
+    {
+        std::vector<std::pair<std::string, double>> all;
+        for (const PhaseTime& p : simulation_.phase_times()) {
+            const std::size_t n = all.size();
+            all.emplace_back(p.name,
+                             p.seconds + (n < phases_before_.size() ? phases_before_[n] : 0));
+        }
+        return all;
+    }
+
     Summary summary(const std::string& reason, bool converged) const
     {
         Summary s;
@@ -291,7 +293,8 @@ private:
         s.last = last_;
         s.spacing = simulation_.spacing();
         s.wall_seconds = seconds_before_ + seconds();
-        s.cell_steps_per_second = steps_per_second() * static_cast<double>(simulation_.cells());
+        s.cell_steps_per_second = static_cast<double>(simulation_.steps()) *
+                                  static_cast<double>(simulation_.cells()) / s.wall_seconds;
         s.threads = max_threads();
         s.peak_memory_bytes = peak_memory_bytes();
         s.cells = simulation_.cells();
@@ -299,8 +302,7 @@ private:
         s.elements = simulation_.elements();
         s.version = version();
         s.breakdown = breakdown_;
-        for (const PhaseTime& p : simulation_.phase_times())
-            s.phase_seconds.emplace_back(p.name, p.seconds);
+        s.phase_seconds = phase_seconds();
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
         s.warnings = run_warnings(case_, s, step_factor_);
         return s;
@@ -317,8 +319,9 @@ private:
     Sample last_;
     RunMemory good_memory_; ///< of the last sound state
     Real step_factor_ = 1;
-    std::optional<Vec3> breakdown_; ///< where the run ended
-    double seconds_before_ = 0;     ///< real time before the run was resumed
+    std::optional<Vec3> breakdown_;   ///< where the run ended
+    double seconds_before_ = 0;       ///< real time before the run was resumed
+    std::vector<Real> phases_before_; ///< the same of the phases of the step
     Index first_step_ = 0;
     Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_;
 };
@@ -348,6 +351,17 @@ bool checkpoint_is_timely(double seconds, double every, bool found_sound)
 {
     constexpr double earliest = 0.9; // of the interval
     return seconds >= (found_sound ? earliest : 1) * every;
+}
+
+std::string later_end(const Case& c, const std::string& reason, Index steps)
+{
+    if (reason == "steady" && c.stop.steady_tolerance)
+        return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
+    if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
+    if (reason != "end time" || !c.stop.end_time) return "";
+    const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
+    return c.scaling.si ? fmt::format("\"stop.end_time={:g} s\"", end)
+                        : fmt::format("stop.end_time={:g}", end);
 }
 
 bool has_theory(const Case& c)

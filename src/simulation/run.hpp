@@ -69,6 +69,10 @@ Summary resume(const Case& c, const CheckpointFile& checkpoint,
 /// once and not a sound state beside it.
 bool checkpoint_is_timely(double seconds, double every, bool found_sound);
 
+/// A value, as for --set, of the stop criterion that ended a run, with which it would go further;
+/// empty where `reason` is none that would end it again.
+std::string later_end(const Case& c, const std::string& reason, Index steps);
+
 /// Whether the one-dimensional model describes the case: steady inflation at low Re, or a rigid
 /// tube.
 bool has_theory(const Case& c);

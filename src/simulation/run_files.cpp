@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "config/write_case.hpp"
+#include "core/error.hpp"
 #include "output/frame_file.hpp"
 #include "output/profile.hpp"
 #include "output/replace_file.hpp"
@@ -61,28 +62,39 @@ bool RunFiles::lists_frame(const std::string& of, Index number) const
 
 void RunFiles::write_own_case() const
 {
-    replace_file(directory_.file("case.toml"),
-                 written_case_mark + (": every default filled in\n" + write_case(case_)));
+    replace_file(
+        directory_.file("case.toml"),
+        write_case_with_end(written_case_mark + std::string(": every default filled in"), case_));
 }
 
-void RunFiles::check_go_on(const RunMemory& m) const
+void RunFiles::check_go_on(const RunMemory& m, const Case& before) const
 {
     SeriesWriter::check_row(directory_.file("series.csv"), case_.scaling, m.last_row);
-    FrameWriter::check(field_options(m.wall_frames), "wall");
-    FrameWriter::check(field_options(m.fluid_frames), "fluid");
+    FrameWriter::lists_frames(field_options(m.wall_frames), "wall");
+    FrameWriter::lists_frames(field_options(m.fluid_frames), "fluid");
+    const SnapshotParameters &was = before.output.fluid_part, &is = case_.output.fluid_part;
+    if (m.fluid_frames > 0 && (was.region != is.region || was.stride != is.stride))
+        throw InputError(
+            "output.fluid_region and output.fluid_stride cannot change while there are "
+            "frames of the fluid: those of fluid.xdmf have one grid; leave them as "
+            "they were, or run the case in another directory");
 }
 
-std::vector<std::string> RunFiles::damaged_frames(const RunMemory& m) const
+std::vector<std::string> RunFiles::damage(const RunMemory& m) const
 {
     std::vector<std::string> found;
-    for (const auto& [of, count] : {std::pair{"wall", m.wall_frames}, {"fluid", m.fluid_frames}})
-        for (Index n = 0; n < count; ++n) {
-            try {
+    for (const auto& [of, count] : {std::pair{"wall", m.wall_frames}, {"fluid", m.fluid_frames}}) {
+        if (!FrameWriter::lists_frames(field_options(count), of))
+            found.push_back(directory_.file((std::string(of) + ".xdmf").c_str()).string() +
+                            ": does not list all frames up to the checkpoint; it is made anew from "
+                            "them");
+        for (Index n = 0; n < count; ++n) try {
                 check_seal(directory_.path() / frame_name(of, n), frame_seal);
             } catch (const InputError& e) {
-                found.emplace_back(e.what());
+                found.push_back(std::string(e.what()) +
+                                "; the run goes on, this frame stays as it is");
             }
-        }
+    }
     return found;
 }
 
@@ -137,6 +149,9 @@ void RunFiles::first_wall(const Simulation& simulation)
 void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory,
                           const RunMemory& good)
 {
+    sync_to_disk(directory_.file("series.csv"));
+    if (wall_) wall_->sync();
+    if (fluid_) fluid_->sync();
     checkpoints_.write(
         {{simulation.state(), memory}, {simulation.good_state(), good}, write_case(case_)});
 }

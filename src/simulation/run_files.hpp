@@ -41,10 +41,11 @@ public:
     /// All that a run which ends at `step` writes after its last checkpoint, with `memory`, is
     /// there.
     bool complete(const RunMemory& memory, Index step) const;
-    /// Throws InputError where the files do not reach up to the moment of `memory`.
-    void check_go_on(const RunMemory& memory) const;
-    /// Why frames before the moment of `memory` cannot be read, a line for each.
-    std::vector<std::string> damaged_frames(const RunMemory& memory) const;
+    /// Throws InputError where the files do not reach up to the moment of `memory`, or where the
+    /// frames there have another grid than those of this case would have.
+    void check_go_on(const RunMemory& memory, const Case& before) const;
+    /// Damage to files before the moment of `memory` with which the run can go on, a line for each.
+    std::vector<std::string> damage(const RunMemory& memory) const;
     /// Drops what was written after the moment of `memory`, at t and `step`, and goes on there.
     void go_on_from(const RunMemory& memory, Real t, Index step);
     /// Notes in `memory` how far the files are.
@@ -59,6 +60,7 @@ public:
     Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation);
     /// A checkpoint of the present state, with `good` of the last one found sound.
+    /// Before that, rows and frames that belong to it are waited for until they are on disk.
     void checkpoint(const Simulation& simulation, const RunMemory& memory, const RunMemory& good);
     /// The same after the run has gone back: those beyond are of a course that was given up.
     void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory);

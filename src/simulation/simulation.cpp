@@ -45,7 +45,7 @@ namespace {
 
 constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more
 constexpr Real half_slab_in_spacings = 6;
-constexpr Index steps_between_checks = 10; ///< of speed, finiteness and the automatic step
+constexpr Index steps_between_checks = 10; ///< of speed, gaps and the automatic step
 constexpr Index steps_between_copies = 50; ///< of a sound state
 constexpr Real largest_sound_move = 0.5;   ///< of the wall in a step, in grid spacings
 
@@ -143,6 +143,17 @@ struct Simulation::Impl {
         if (state.step % steps_between_copies == 0) keep_if_sound(check.cfl);
     }
 
+    /// What is looked at after each step, and what is too dear for that (docs/reliability.md).
+    void check()
+    {
+        soundness.check_step();
+        soundness.check_folds();
+        const bool tenth = state.step % steps_between_checks == 0;
+        if (tenth) soundness.check_gaps();
+        // in the first steps the drive may have been switched on
+        if (tenth || state.step < steps_between_checks) check_speed_and_step();
+    }
+
     /// A state that is about to blow up shows it by its speed.
     void keep_if_sound(Real cfl)
     {
@@ -161,13 +172,7 @@ struct Simulation::Impl {
         const Real dt = std::isfinite(until) ? step_towards(remaining, state.dt) : state.dt;
         if (!advance(state, op, workspace, dt)) soundness.report_lost_wall();
         if (dt >= remaining) state.t = until;
-        soundness.check_step();
-        if (state.step % steps_between_checks == 0) {
-            soundness.check_walls();
-            check_speed_and_step();
-        } else if (state.step < steps_between_checks) {
-            check_speed_and_step(); // the drive may have been switched on
-        }
+        check();
     }
 };
 

@@ -74,7 +74,8 @@ void Soundness::report_lost_wall() const
                          at_vertex(most.vertex), limiting_term()),
              shorter_step(), {state_.wall.x[most.vertex], true});
     check_side_of_box();
-    check_walls();
+    check_folds();
+    check_gaps();
     fail(fmt::format("the search for ghost nodes does not close: nodes beside the wall cannot be "
                      "told apart as inside and outside; the wall moves fastest{}",
                      at_vertex(most.vertex)),
@@ -116,9 +117,8 @@ void Soundness::check_side_of_box() const
     }
 }
 
-void Soundness::check_walls() const
+void Soundness::check_gaps() const
 {
-    check_folds();
     const Array<Vec3>& x = state_.wall.x;
     const Real closest = touching * grid_.delta();
     if (smallest_gap(tube_, x) >= closest && !tangled()) return;
@@ -164,7 +164,8 @@ ElementIndex Soundness::folded_element() const
             const ElementIndex other = tube_.mesh.neighbour(e, side);
             if (other < e) continue; // none, or looked at from there
             const Vec3 m = normal(other);
-            if (dot(n, m) < folded * norm(n) * norm(m)) first = std::min(first, e);
+            const Real along = dot(n, m);
+            if (along < 0 && along < folded * norm(n) * norm(m)) first = std::min(first, e);
         }
     }
     return first < tube_.mesh.element_count() ? first : -1;

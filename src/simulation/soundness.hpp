@@ -23,8 +23,10 @@ public:
     void check_step() const;
     /// The speed, measured in the state, beside its limit.
     void check_flow(const SpeedCheck& speed) const;
-    /// Opposite walls have neither met nor passed through each other, no elements are folded.
-    void check_walls() const;
+    /// No element is folded onto its neighbour.
+    void check_folds() const;
+    /// Opposite walls have neither met nor passed through each other.
+    void check_gaps() const;
     /// Why the ghost nodes could not follow the wall.
     [[noreturn]] void report_lost_wall() const;
     [[noreturn]] void report_not_finite(const std::string& what) const;
@@ -40,7 +42,6 @@ private:
     Move farthest_move() const;
     void check_move(const Move& most, Real longest) const;
     void check_side_of_box() const;
-    void check_folds() const;
     bool tangled() const;
     VertexIndex narrowest_vertex(Index ring) const;
     ElementIndex folded_element() const;

@@ -154,5 +154,15 @@ TEST(WriteCase, KeepsShortSiValuesShort)
         EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
 }
 
+TEST(WriteCase, WithAnEndCutOffAnywhereBehindItsFirstLineIsFound)
+{
+    const std::string whole = write_case_with_end("# Written", Case{});
+    EXPECT_FALSE(lacks_end(whole));
+    EXPECT_FALSE(lacks_end(whole + "\n\n"));
+    EXPECT_FALSE(lacks_end(write_case(Case{}))); // which promises none
+    for (std::size_t size = whole.find('\n'); size + 1 < whole.size(); ++size)
+        EXPECT_TRUE(lacks_end(whole.substr(0, size))) << size;
+}
+
 } // namespace
 } // namespace starling

@@ -96,6 +96,7 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_EQ(m.wall_frames, 2);
     EXPECT_EQ(m.next_wall, 0.5);
     EXPECT_EQ(m.wall_seconds, 12.5);
+    EXPECT_EQ(m.phase_seconds, (std::vector<Real>{3, 4.5}));
     EXPECT_EQ(m.step_factor, 0.5);
     const RunMemory before = file.sound().read_memory();
     ASSERT_EQ(before.window.size(), 1u);

@@ -27,6 +27,7 @@ struct ExampleCheckpoint {
         memory.wall_frames = 2;
         memory.next_wall = 0.5;
         memory.wall_seconds = 12.5;
+        memory.phase_seconds = {3, 4.5};
         memory.step_factor = 0.5;
     }
     RunRecord record(const std::string& case_text) const

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "output/field_file.hpp"
 #include "synthetic.hpp"
 #include "temporary_directory.hpp"
@@ -89,6 +90,33 @@ TEST(FluidFile, HoldsTheTransposeWithXFastest)
                 EXPECT_FLOAT_EQ(float(pressure[n]), float(x + 10 * y + 100 * z));
                 EXPECT_FLOAT_EQ(float(velocity[3 * n + 1]), float(y));
             }
+}
+
+TEST(FieldFile, XdmfIsMadeAnewFromTheFrames)
+{
+    TemporaryDirectory dir;
+    const std::filesystem::path list = dir.path() / "wall.xdmf";
+    std::string of_two;
+    {
+        WallFile wall({dir.path(), Scaling{}});
+        for (Index n : {0, 1, 2}) {
+            wall.write(synthetic::wall(static_cast<Real>(n) / 3, n));
+            if (n == 1) of_two = read_text(list);
+        }
+    }
+    const FieldFileOptions keep = {.directory = dir.path(), .scaling = {}, .keep = 2};
+    EXPECT_TRUE(FrameWriter::lists_frames(keep, "wall"));
+    for (std::size_t size : {std::size_t{0}, of_two.size() / 2}) {
+        write_text(list, of_two.substr(0, size));
+        if (size == 0) std::filesystem::remove(list);
+        EXPECT_FALSE(FrameWriter::lists_frames(keep, "wall"));
+        const WallFile again(keep);
+        EXPECT_EQ(read_text(list), of_two);
+    }
+    std::filesystem::remove(list);
+    std::filesystem::resize_file(dir.path() / "frames/wall_000001.h5", 5000);
+    EXPECT_THROW(FrameWriter::lists_frames(keep, "wall"), InputError);
+    EXPECT_THROW(WallFile{keep}, InputError);
 }
 
 TEST(FieldFile, XdmfListsEveryFrameInOrder)

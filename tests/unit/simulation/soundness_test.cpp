@@ -58,14 +58,15 @@ void expect_words(const NumericalError& e, std::initializer_list<std::string> wo
 }
 
 void check_step(const Soundness& s) { s.check_step(); }
-void check_walls(const Soundness& s) { s.check_walls(); }
+void check_folds(const Soundness& s) { s.check_folds(); }
 void report_lost_wall(const Soundness& s) { s.report_lost_wall(); }
 
 TEST(Soundness, OfATubeAtRestIsComplete)
 {
     const Example e;
     EXPECT_NO_THROW(e.soundness.check_step());
-    EXPECT_NO_THROW(e.soundness.check_walls());
+    EXPECT_NO_THROW(e.soundness.check_folds());
+    EXPECT_NO_THROW(e.soundness.check_gaps());
     EXPECT_NO_THROW(e.soundness.check_flow({0.1, 1}));
 }
 
@@ -117,7 +118,7 @@ TEST(Soundness, FindsAnElementThatIsFoldedOver)
     Vec3& a = e.state.wall.x[corners[0]];
     const Vec3 b = e.state.wall.x[corners[1]], c = e.state.wall.x[corners[2]];
     a += 2.5 * (0.5 * (b + c) - a);
-    const NumericalError error = e.error_of(check_walls);
+    const NumericalError error = e.error_of(check_folds);
     expect_words(error, {"is inverted", "(vertex ", "theta = ", "term: ", "wall.bending"});
     EXPECT_TRUE(error.breakdown().shorter_step_helps);
 }
