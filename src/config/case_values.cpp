@@ -133,7 +133,17 @@ void CaseValues::check_range(const KeyRule& rule)
     if (const auto unit = written_unit_of(rule))
         allowed = fmt::format("{} {} ({})", rule.range.times(unit->factor).describe(), unit->name,
                               allowed);
-    problem(name, fmt::format("is {}; must be {}", in_units(name, x), allowed));
+    problem(name, fmt::format("is {}; must be {}{}", in_units(name, x), allowed, scales_set()));
+}
+
+/// Where --set has changed a scale, keys that it does not name may be out of range.
+std::string CaseValues::scales_set() const
+{
+    for (const char* name : {"vessel.radius", "fluid.density", "drive.velocity_scale"})
+        if (const auto place = places_.find(name);
+            place != places_.end() && place->second.file == "--set")
+            return fmt::format(" (--set {} has changed the scale)", name);
+    return "";
 }
 
 std::optional<CaseValues::WrittenUnit> CaseValues::written_unit_of(const KeyRule& rule) const

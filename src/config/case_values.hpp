@@ -92,6 +92,7 @@ private:
     void check(const KeyRule& rule, const Value& value);
     void note_unit(const KeyRule& rule, const Value& value);
     void check_range(const KeyRule& rule);
+    std::string scales_set() const;
     std::optional<WrittenUnit> written_unit_of(const KeyRule& rule) const;
     Real scale(const KeyRule& rule) const;
 

@@ -1,6 +1,10 @@
 #include "output/series.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/error.hpp"
+#include "output/read_table.hpp"
 
 namespace starling {
 
@@ -52,6 +56,27 @@ bool SeriesWriter::has_row(const std::filesystem::path& path, const Scaling& sca
     } catch (const InputError&) {
         return false;
     }
+}
+
+Real mean_leak_over_Q(const std::filesystem::path& path, Index last_step)
+{
+    const TableContents table = read_table(path);
+    const auto values = [&](const char* name) {
+        const TableColumn* column = table.find(name);
+        if (column == nullptr) throw InputError(path.string() + ": has no column " + name);
+        return std::span(column->values);
+    };
+    const auto t = values("t"), step = values("step"), leak = values("leak"), in = values("Q_in"),
+               out = values("Q_out");
+    const auto rows = static_cast<std::size_t>(
+        std::ranges::upper_bound(step, static_cast<Real>(last_step)) - step.begin());
+    Real leaks = 0, flows = 0;
+    for (std::size_t n = 0; n < rows; ++n) {
+        if (t[n] < (t[0] + t[rows - 1]) / 2) continue;
+        leaks += std::abs(leak[n]);
+        flows += std::max(std::abs(in[n]), std::abs(out[n]));
+    }
+    return leaks / flows;
 }
 
 } // namespace starling

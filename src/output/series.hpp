@@ -29,4 +29,8 @@ public:
     static bool has_row(const std::filesystem::path& path, const Scaling& scaling, Index step);
 };
 
+/// Mean of |leak| over the mean of the larger of |Q_in| and |Q_out|, of the rows of a series.csv in
+/// the last half of the time up to a step; NaN without flow. Throws as read_table does.
+Real mean_leak_over_Q(const std::filesystem::path& path, Index last_step);
+
 } // namespace starling

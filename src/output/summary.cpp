@@ -42,6 +42,7 @@ void put_sample(Json& json, Json& units, const Scaling& scaling, const Summary& 
          {"Q_out", flow_rate, last.Q_out},
          {"Q_mid_over_Q0", none, s.Q_mid_over_Q0()},
          {"leak_over_Q", none, s.leak_over_Q()},
+         {"mean_leak_over_Q", none, s.mean_leak_over_Q},
          {"R_max", length, last.R_max},
          {"x_R_max", length, last.x_R_max},
          {"R_min", length, last.R_min},

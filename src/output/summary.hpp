@@ -21,11 +21,12 @@ Real leak_over_Q(const Sample& s);
 /// What a run came to. Numbers are in solver units.
 struct Summary {
     std::string title;
-    bool converged = false; ///< the steady criterion was met
-    std::string reason;     ///< why the run ended
-    Sample last;            ///< final sample
-    Real spacing = 0;       ///< of the grid
-    Real Q_0 = pi / 2;      ///< flow rate through the undeformed tube at U_c
+    bool converged = false;    ///< the steady criterion was met
+    std::string reason;        ///< why the run ended
+    Sample last;               ///< final sample
+    Real mean_leak_over_Q = 0; ///< over the last half of the time; see mean_leak_over_Q
+    Real spacing = 0;          ///< of the grid
+    Real Q_0 = pi / 2;         ///< flow rate through the undeformed tube at U_c
     double wall_seconds = 0;
     double cell_steps_per_second = 0;
     int threads = 1;

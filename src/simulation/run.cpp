@@ -132,6 +132,7 @@ private:
         files_.finish(simulation_, attempt);
         Summary result = summary(*stop_.reason(), stop_.steady());
         attempt([&] { files_.summary(result); });
+        attempt([&] { files_.sync(); });
         if (!attempt.failures().empty())
             throw std::runtime_error(
                 fmt::format("the run has ended ({}), but not all of its last results could be "
@@ -291,6 +292,7 @@ private:
         s.converged = converged;
         s.reason = reason;
         s.last = last_;
+        s.mean_leak_over_Q = files_.mean_leak(last_.step);
         s.spacing = simulation_.spacing();
         s.wall_seconds = seconds_before_ + seconds();
         s.cell_steps_per_second = static_cast<double>(simulation_.steps()) *

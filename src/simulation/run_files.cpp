@@ -149,9 +149,7 @@ void RunFiles::first_wall(const Simulation& simulation)
 void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory,
                           const RunMemory& good)
 {
-    sync_to_disk(directory_.file("series.csv"));
-    if (wall_) wall_->sync();
-    if (fluid_) fluid_->sync();
+    sync();
     checkpoints_.write(
         {{simulation.state(), memory}, {simulation.good_state(), good}, write_case(case_)});
 }
@@ -189,6 +187,15 @@ void RunFiles::finish(const Simulation& simulation, Attempts& attempt)
 void RunFiles::summary(const Summary& s)
 {
     write_summary(directory_.file("summary.json"), s, case_.scaling);
+}
+
+void RunFiles::sync()
+{
+    for (const char* name : {"series.csv", "profile.csv", "sections.csv", "summary.json"})
+        if (std::filesystem::exists(directory_.file(name))) sync_to_disk(directory_.file(name));
+    if (wall_) wall_->sync();
+    if (fluid_) fluid_->sync();
+    sync_to_disk(directory_.path()); // their names
 }
 
 FieldFileOptions RunFiles::field_options(Index keep) const

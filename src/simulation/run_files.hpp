@@ -56,6 +56,11 @@ public:
     /// Wall and fluid frames that are due now.
     void fields(const Simulation& simulation);
     Index last_row() const { return last_row_; } ///< step of the last row of series.csv
+    /// See starling::mean_leak_over_Q, of the rows up to a step.
+    Real mean_leak(Index last_step) const
+    {
+        return mean_leak_over_Q(directory_.file("series.csv"), last_step);
+    }
     /// Time of the next frame.
     Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation);
@@ -69,6 +74,8 @@ public:
     /// What is written once a run has ended, beside the summary.
     void finish(const Simulation& simulation, Attempts& attempt);
     void summary(const Summary& s);
+    /// Waits until rows, frames and the files of the end are on the disk itself.
+    void sync();
 
 private:
     void write_own_case() const;

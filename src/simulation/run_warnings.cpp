@@ -28,6 +28,10 @@ std::vector<std::string> run_warnings(const Case& c, const Summary& s, Real step
     if (std::abs(s.leak_over_Q()) > leak_to_warn_of)
         found.push_back(fmt::format("the leak through the wall is {:.3g} % of the flow: {}",
                                     100 * s.leak_over_Q(), remedy_of_leak(c, s)));
+    else if (s.mean_leak_over_Q > leak_to_warn_of)
+        found.push_back(fmt::format("the leak through the wall was {:.3g} % of the flow on the "
+                                    "mean of the last half of the time: {}",
+                                    100 * s.mean_leak_over_Q, remedy_of_leak(c, s)));
     if (s.last.smallest_gap < least_resolved_gap * s.spacing)
         found.push_back(fmt::format("opposite walls are {:.2g} grid spacings apart: the flow "
                                     "between them is not resolved below 2",

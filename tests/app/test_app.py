@@ -203,6 +203,14 @@ def test_si_units(directory):
                summary[key])
 
 
+def test_set_scale(_):
+    """--set of the radius is named where it puts another key out of its range."""
+    for radius, key in (("2 mm", "grid.width_y"), ("0.1 mm", "grid.spacing")):
+        result = starling("check", SOURCE / "cases" / "microchannel_si.toml", "--set", f"vessel.radius={radius}")
+        expect_exit(result, 2)
+        expect(re.search(rf"{key}: .*--set vessel.radius has changed the scale", result.stderr), result.stderr)
+
+
 def test_too_large(directory):
     out = directory / "out"
     large = [CASE, "--set", "grid.spacing=0.006"]  # 1.3e9 cells, 300 GB
@@ -505,6 +513,36 @@ def test_full_disk_at_the_end(directory):
         expect_same_results(whole, out)
     finally:
         subprocess.run(["umount", disk], check=True)
+
+
+def test_flushed(directory):
+    """Rows and frames that belong to a checkpoint are on the disk itself before it has its name."""
+    calls, out = directory / "calls", directory / "out"
+    trace = subprocess.run(["strace", "-f", "-y", "-e", "trace=fsync,rename", "-o", calls, PROGRAM, "run",
+                            *SHORT, *FRAMES, "--set", "output.wall_every=0.05", "--set", "checkpoint.steps=3",
+                            "--out", out], capture_output=True, check=False) if have_strace() else None
+    if trace is None:
+        print("skipped: strace is not installed or not allowed")
+        sys.exit(SKIPPED)
+    expect(trace.returncode == 0, trace.stderr)
+    flushed = set()
+    for line in calls.read_text().splitlines():
+        if done := re.search(r"fsync\(\d+<(.+)>\) += 0", line):
+            flushed.add(str(pathlib.Path(done[1]).relative_to(out.resolve())))
+        if "step_0000000003.h5.new" in line and "rename" in line:
+            break
+    expect(flushed >= {"series.csv", "frames", "frames/wall_000000.h5", "frames/fluid_000000.h5", ".",
+                       "checkpoints/sound_0000000003.h5.new", "checkpoints/step_0000000003.h5.new"}, flushed)
+    last = calls.read_text()[calls.read_text().rindex("summary.json.new"):]
+    for name in ("summary.json", "profile.csv", "sections.csv", "fluid_000001.h5"):
+        expect(re.search(rf"fsync\(\d+<[^>]*{name}>\)", last), name, last)
+
+
+def have_strace():
+    try:
+        return subprocess.run(["strace", "-f", "true"], capture_output=True, check=False).returncode == 0
+    except FileNotFoundError:
+        return False
 
 
 def test_kill_at_the_end(directory):

@@ -65,6 +65,27 @@ TEST(Series, NumbersReadBackToTheSameBits)
         EXPECT_EQ(std::stod(number_text(value)), value);
 }
 
+TEST(Series, MeanLeakIsOfTheLastHalfUpToAStep)
+{
+    TemporaryDirectory dir;
+    const std::filesystem::path path = dir.path() / "series.csv";
+    {
+        SeriesWriter writer(path, synthetic::si_scaling());
+        for (Index step : {0, 10, 20, 30, 40, 50}) {
+            Sample s;
+            s.step = step;
+            s.t = 0.1 * static_cast<Real>(step);
+            s.Q_in = 2;
+            s.Q_out = step == 30 ? -6 : 1;
+            s.leak = step < 20 || step == 50 ? 100 : step == 30 ? -0.5 : 0.1; // beyond: wild
+            writer.write(s);
+        }
+    }
+    EXPECT_NEAR(mean_leak_over_Q(path, 40), 0.7 / 10, 1e-12);
+    EXPECT_NEAR(mean_leak_over_Q(path, 45), 0.7 / 10, 1e-12);
+    EXPECT_GT(mean_leak_over_Q(path, 50), 1);
+}
+
 TEST(Series, FullDeviceIsReported)
 {
     const std::filesystem::path full = "/dev/full";

@@ -32,6 +32,15 @@ TEST_F(Leaking, LittleIsNoWarning)
     EXPECT_TRUE(run_warnings(c, s, 1).empty());
 }
 
+TEST_F(Leaking, BeforeTheLastSampleIsToldToo)
+{
+    s.last.leak = 0; // as at one moment of a period
+    s.mean_leak_over_Q = 0.04;
+    EXPECT_EQ(warning(),
+              "the leak through the wall was 4 % of the flow on the mean of the last half "
+              "of the time: take a finer grid");
+}
+
 TEST_F(Leaking, InASteadyTubeWantsAFinerGrid)
 {
     EXPECT_EQ(warning(), "the leak through the wall is -5 % of the flow: take a finer grid");
