@@ -8,7 +8,6 @@
 
 #include "theory/poiseuille.hpp"
 #include "theory/report_text.hpp"
-#include "theory/wave_speed.hpp"
 
 namespace starling {
 
@@ -76,8 +75,6 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     add_line(text, "largest slope |dR/dx|", r.max_slope);
     add_line(text, "pressure at the inlet clamp", r.P_clamp_inlet * p, pressure);
     add_line(text, "pressure at the outlet clamp", r.P_clamp_outlet * p, pressure);
-    add_line(text, "Moens-Korteweg wave speed with E/(1 - nu^2)",
-             r.wave_speed * scaling.factor(Quantity::velocity), scaling.unit(Quantity::velocity));
     text += "Q/Q_0 of the laws, from the largest radius to the outlet clamp\n";
     add_line(text, "law of Laplace, Eq. (55)", r.law_Q_over_Q0[0]);
     add_line(text, "Anand-Christov, Eq. (56)", r.law_Q_over_Q0[1]);
@@ -140,7 +137,6 @@ TheoryReport theory_report(const TubeProblem& problem)
     r.law_Q_over_Q0 = law_flow_rates(r);
     r.P_clamp_inlet = r.tube.P_at(problem.clamp_inlet());
     r.P_clamp_outlet = r.tube.P_at(problem.clamp_outlet());
-    r.wave_speed = wave_speed(problem.material, problem.fluid.reynolds);
     find_extremes(r);
     return r;
 }

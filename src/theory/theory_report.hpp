@@ -24,7 +24,6 @@ struct TheoryReport {
     Real max_strain = 0;                 ///< largest |R - 1|
     Real max_slope = 0;                  ///< largest |dR/dx|: lubrication wants it small
     Real P_clamp_inlet = 0, P_clamp_outlet = 0;
-    Real wave_speed = 0; ///< about the undeformed tube
 
     /// R(P) of a law at the model's transmural pressure at x; NaN in the rigid ends.
     Real law_radius(RadiusLaw law, Real x) const;

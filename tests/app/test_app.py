@@ -132,6 +132,12 @@ def test_check_and_theory(directory):
     expect("Q/Q_0" in result.stdout, result.stdout)
     result = starling("theory", CASE, "--csv")
     expect(result.stdout.startswith("x [R_0],R [R_0],P ["), result.stdout[:80])
+    for words in ("Moens-Korteweg", "with the fluid outside", "slowest mode"):
+        expect(words in starling("theory", CASE).stdout, "theory does not say", words)
+    fast = ["theory", CASE, "--set", "fluid.reynolds=50", "--set", "drive.pressure_ratio=3"]
+    expect("slowest mode" in starling(*fast).stdout, "theory without a steady model lacks waves")
+    result = starling("theory", CASE, "--csv=waves")
+    expect(result.stdout.startswith("omega [U_c/R_0],speed [U_c],att"), result.stdout[:80])
     expect("Buckling" not in starling("theory", CASE).stdout, "a membrane has no buckling load")
     expect_exit(starling("theory", CASE, "--csv=buckling"), 2)
     expect_exit(starling("theory", CASE, "--csv=nonsense"), 2)
