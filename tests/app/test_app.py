@@ -821,6 +821,19 @@ def check_shapes_of_plots(out):
     expect(plot.widened(point, 2).sum() == 13, plot.widened(point, 2))
 
 
+def check_wall_history(out):
+    """The rings of the last frame are those of profile.csv."""
+    plot, np = importlib.import_module("plot_run"), importlib.import_module("numpy")
+    t, x, radii, pressures, units = plot.wall_history(out / "wall.h5")
+    profile = plot.read(out, "profile.csv")
+    expect(np.allclose(t[:3], [0, 0.01, 0.02]), t)
+    expect(radii.shape == pressures.shape == (len(t), len(x)), radii.shape)
+    expect(np.allclose(x, profile["x"], atol=1e-5), x)
+    expect(np.allclose(radii[-1], profile["R_mean"], atol=1e-6), radii[-1])
+    expect(np.allclose(pressures[-1], profile["P_transmural"], rtol=1e-4, atol=1), pressures[-1])
+    expect(units == ("R_0", "rho U_c^2"), units)
+
+
 def have_plot_packages():
     return subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
                           capture_output=True, check=False).returncode == 0
@@ -857,9 +870,15 @@ def test_plot(directory):
     check_shapes_of_plots(out)
     for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
         expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
+    expect(not (out / "waves.png").exists(), "a picture over time of two frames")
     (out / "profile.csv").unlink()  # as after a kill
     (out / "summary.json").unlink()
     expect_exit(starling("plot", out), 0)
+    often = directory / "often"
+    expect_exit(starling("run", *SHORT, "--set", "stop.steps=13", "--set", "output.wall_every=0.01",
+                         "--out", often), 0)
+    expect("waves.png" in starling("plot", often).stdout, "no waves.png")
+    check_wall_history(often)
 
 
 FLUID_PHASES = ["momentum", "pressure"]

@@ -96,3 +96,12 @@ FILTERS = {(ratio, d, s): inflation(ratio, spacing=d, end_time=16, tolerance=1e-
                                     wall__mesh_filter=s)
            for d, strengths in ((0.13, (0, 1, 2, 4)), (0.1, (2, 4))) for ratio in (1, 3)
            for s in strengths}
+
+
+def pressure_wave(width, spacing):
+    return make_run(f"pressure-wave-w{width}-d{spacing}", "cases/pressure_wave.toml",
+                    grid__width_y=width, grid__width_z=width, grid__spacing=spacing,
+                    output__fluid="false")
+
+
+PRESSURE_WAVE = {key: pressure_wave(*key) for key in ((4.7, 0.2), (4.7, 0.15), (7, 0.2))}

@@ -6,6 +6,7 @@ from measures import Q_0
 from report import percent
 from runs import sha256
 from tightness import REACH, Tightness
+from waves import PressureWave
 from womersley import Womersley
 
 
@@ -244,6 +245,24 @@ def carotid(report, get):
         + f" of what enters; {result['steps']} steps, {result['wall_seconds']:.0f} s.")
 
 
+def pressure_wave(report, get):
+    def row(key, r):
+        case, w = f"box {key[0]}, spacing {key[1]}", PressureWave(r)
+        error = w.speed / w.predicted_speed - 1
+        back = w.return_speed / w.predicted_return_speed - 1
+        return [f"{key[0]}, {key[1]}", f"{w.tube.long_wave_speed:.3f}", f"{w.predicted_speed:.4f}",
+                f"{w.speed:.4f}", report.at_most(f"{case}: speed", error, 0.03),
+                f"{w.amplitude:.3f}", f"{w.predicted_amplitude:.3f}",
+                report.at_most(f"{case}: speed to the clamp and back", back, 0.03),
+                f"{w.returned:.3f}", f"{w.predicted_return:.3f}", r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["box, spacing", "speed of long waves", "speed, theory", "speed", "difference",
+              "amplitude kept", "the same, theory", "speed to the clamp and back, difference",
+              "amplitude come back", "the same, theory", "steps", "seconds"]
+    report.table(header, rows(cases.PRESSURE_WAVE, get, len(header), row))
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -364,6 +383,15 @@ SECTIONS = [
             "without pressure, 6.4 m/s at the mean), harmonic by harmonic, "
             "between the inlet's flow rate and the Windkessel. Lumped: the vessel as one compliance before "
             "the Windkessel.", carotid),
+    Section("pressure_wave", "Pressure wave", values(cases.PRESSURE_WAVE),
+            "`cases/pressure_wave.toml`: a pulse whose Moens-Korteweg speed is 1, between the stations "
+            "x = 7 and 19, and from 19 to the outlet clamp and back. Speed: distance over the delay of "
+            "the largest cross-correlation of the displacements. Theory: the displacement at the first "
+            "station (for the way back: at the second, with the reflection at the clamp) is sent along "
+            "the tube by the dispersion relation of docs/theory.md, with the fluid outside and "
+            "viscosity, and measured in the same way. Amplitude: largest displacement over that at the "
+            "first station; come back: smallest over the largest that went by.",
+            pressure_wave),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
             "200 steps at ratio 1.5, spacing 0.1.", threads),
     Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),

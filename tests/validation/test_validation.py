@@ -15,6 +15,7 @@ import tempfile
 import cases
 import measures
 from runs import SOURCE, Runner, make_run
+from waves import PressureWave
 from womersley import Womersley
 
 PROGRAM, SCENARIO = sys.argv[1:3]
@@ -75,6 +76,17 @@ def test_womersley(directory):
     expect("amplitude", w.amplitude_error, -0.01, 0.01)  # 0.0056
     expect("phase in degrees", w.phase_error, 0, 2)  # 1.33
     expect("leak over the amplitude", w.leak, 0, 0.035)  # 0.018
+
+
+def test_pressure_wave(directory):
+    """A pulse travels as theory says, and comes back from the clamp with the other sign."""
+    run = make_run("wave", "cases/pressure_wave.toml", grid__spacing=0.25, time__step=0.05,
+                   output__fluid="false")
+    w = PressureWave(result_of(run, directory))
+    expect("speed over that of theory", w.speed / w.predicted_speed, 0.98, 1.05)  # 1.029
+    expect("amplitude kept over that of theory", w.amplitude / w.predicted_amplitude, 0.9, 1.1)  # 1.07
+    expect("speed to the clamp and back", w.return_speed / w.predicted_return_speed, 0.98, 1.06)  # 1.036
+    expect("amplitude come back", w.returned, -0.76, -0.66)  # -0.709, theory -0.687
 
 
 def test_laws(directory):
