@@ -295,9 +295,12 @@ def plot_waves(directory, t_unit):
             panels, (radii - radii[0], pressures), units,
             ("radius less that at the start", "pressure inside less outside")):
         axis = Axis(unit, values)
-        bound = axis(np.percentile(np.abs(values), 99.8)) or 1
-        picture = axes.pcolormesh(x_axis(x), t_axis(times), axis(values), cmap="RdBu_r",
-                                  vmin=-bound, vmax=bound, shading="gouraud", rasterized=True)
+        low, high = axis(np.percentile(values, [0.2, 99.8]))
+        signs = low < -0.1 * high
+        bound = max(-low, high) or 1
+        picture = axes.pcolormesh(x_axis(x), t_axis(times), axis(values), shading="gouraud",
+                                  cmap="RdBu_r" if signs else "viridis", rasterized=True,
+                                  vmin=-bound if signs else 0, vmax=bound)
         axes.set_xlabel(x_axis.label("position along the tube"))
         axes.grid(False)
         bar = figure.colorbar(picture, ax=axes, location="top", shrink=0.9, aspect=30)

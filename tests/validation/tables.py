@@ -1,4 +1,6 @@
 """The tables of docs/validation.md: each function writes one section from finished runs."""
+import math
+
 import cases
 import measures
 from carotid import Carotid
@@ -7,6 +9,7 @@ from report import percent
 from runs import sha256
 from tightness import REACH, Tightness
 from waves import PressureWave
+from waves import Oscillation, PressureWave
 from womersley import Womersley
 
 
@@ -263,6 +266,36 @@ def pressure_wave(report, get):
     report.table(header, rows(cases.PRESSURE_WAVE, get, len(header), row))
 
 
+def oscillation(report, get):
+    def number(value):
+        return "-" if math.isnan(value) else f"{value:.2f}"
+
+    def period(Re, o):
+        cell = number(o.period)
+        if Re < 50:
+            return cell
+        error = o.period / o.slowed_period - 1
+        return cell + ", " + report.at_most(f"Re = {Re}: period on the stream", error, 0.1, 1)
+
+    def row(Re, r):
+        o = Oscillation(r)
+        return [Re, number(o.swing), o.swings, number(o.small_period), number(o.stream),
+                number(o.slowed_period), period(Re, o), number(o.small_decay_time),
+                number(o.decay_time), f"{r['Q_mid_over_Q0']:.3f}", f"{r['R_max'] - 1:.4f}",
+                r["steps"], f"{r['wall_seconds']:.0f}"]
+
+    header = ["Re", "first swing", "swings", "period of small waves at rest", "stream",
+              "on the stream", "period", "decay time of small waves", "decay time",
+              "Q/Q_0 at the end", "R_max - 1 at the end", "steps", "seconds"]
+    report.table(header, rows(cases.OSCILLATION, get, len(header), row))
+    runs = [Oscillation(r) for r in map(get, cases.OSCILLATION.values()) if r and not r.broke_down]
+    for what, name in (("amplitude", "swing"), ("decay time", "decay_time")):
+        found = [value for o in runs if not math.isnan(value := getattr(o, name))]
+        report.paragraph(f"The {what} grows with Re: "
+                         + report.check(f"{what} grows with Re", found == sorted(found),
+                                        ", ".join(map(number, found))))
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -392,6 +425,12 @@ SECTIONS = [
             "viscosity, and measured in the same way. Amplitude: largest displacement over that at the "
             "first station; come back: smallest over the largest that went by.",
             pressure_wave),
+    Section("oscillation", "Damped oscillation, Fig. 13", values(cases.OSCILLATION),
+            "`cases/oscillation_damped.toml` at several Re: eps = 0.01, ratio 1, spacing 0.2. First swing: "
+            "the first maximum of the enclosed volume less the minimum behind it, in R_0^3; period: "
+            "between the first two maxima; decay time: from the first two swings. Small waves: the "
+            "slowest mode of docs/theory.md, about the undeformed tube; on the stream: with its mean "
+            "speed over that first period.", oscillation),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
             "200 steps at ratio 1.5, spacing 0.1.", threads),
     Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),

@@ -13,6 +13,7 @@ from scipy.special import iv, ive, kv
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
+import measures  # noqa: E402
 from plot_run import wall_history  # noqa: E402
 
 
@@ -156,3 +157,42 @@ class PressureWave:
         c = numpy.fft.irfft(product)
         n = int(c[:len(early)].argmax())
         return self.spacing * (n - 0.5 * (c[n + 1] - c[n - 1]) / (c[n + 1] - 2 * c[n] + c[n - 1]))
+
+
+class Oscillation:
+    """A run of cases/oscillation_damped.toml: the swing of the enclosed volume.
+
+    `swing` is the first maximum less the minimum behind it, `period` the time between the first two
+    maxima, `decay_time` from the first two such swings; NaN where there are not so many. `stream` is
+    the mean speed half way between the first two maxima."""
+
+    noise = 0.002  # of the final widening: extremes nearer to each other do not count
+
+    def __init__(self, result):
+        tube = Tube(result.case)
+        series = measures.columns(result.directory / "series.csv")
+        t, volume, flow = (numpy.array(series[n]) for n in ("t", "volume", "Q_mid"))
+        turns = self.turns(volume, self.noise * (volume[-1] - volume[0]))
+        V = volume[turns]
+        self.swings = len(turns) // 2
+        self.swing = V[0] - V[1] if len(turns) > 1 else math.nan
+        self.period = t[turns[2]] - t[turns[0]] if len(turns) > 2 else math.nan
+        self.decay_time = (self.period / math.log((V[0] - V[1]) / (V[2] - V[3]))
+                           if len(turns) > 3 else math.nan)
+        omega = tube.frequency(tube.mode)
+        self.small_period, self.small_decay_time = 2 * math.pi / omega.real, -1 / omega.imag
+        first = slice(turns[0], turns[2]) if len(turns) > 2 else slice(0, 0)
+        self.stream = flow[first].mean() / math.pi if len(turns) > 2 else math.nan
+        self.slowed_period = self.small_period / (1 - (self.stream * tube.mode / omega.real) ** 2)
+
+    @staticmethod
+    def turns(values, noise):
+        """Indices of maxima and minima by turns, from the first maximum on."""
+        found, sign, best = [], 1, 0
+        for n, value in enumerate(values):
+            if sign * (value - values[best]) > 0:
+                best = n
+            elif sign * (values[best] - value) > noise:
+                found.append(best)
+                sign, best = -sign, n
+        return found
