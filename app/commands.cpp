@@ -102,7 +102,8 @@ void theory_command(const CommandLine& line)
     fmt::print("{}", buckling || !has_theory(c) ? model_or_its_failure(problem, c.scaling)
                                                 : to_text(theory_report(problem), c.scaling));
     if (!has_theory(c))
-        fmt::print("This case is outside the model: it holds for steady inflation at Re <= 1.\n");
+        fmt::print("This case may be outside the model: it holds for steady inflation by a flow "
+                   "slower than the waves of the wall.\n");
     fmt::print("{}", waves_text(problem, c.grid, c.scaling));
     if (buckling) fmt::print("{}", to_text(*buckling, c.scaling));
     if (c.material.bending > 0 && c.material.support.stiffness > 0)

@@ -15,6 +15,8 @@ namespace {
 
 constexpr Index table_rows = 17;
 
+bool has_inertia(const TubeProblem& problem) { return problem.fluid.reynolds > 1; }
+
 /// Transmural pressure over E'h.
 Real P_bar(const TheoryReport& r, Real x)
 {
@@ -64,7 +66,8 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     const std::string length = scaling.unit(Quantity::length);
     const std::string pressure = scaling.unit(Quantity::pressure);
     const Real l = scaling.factor(Quantity::length), p = scaling.factor(Quantity::pressure);
-    std::string text = "One-dimensional model of the clamped tube (steady, low Re)\n";
+    std::string text = fmt::format("One-dimensional model of the clamped tube (steady, {})\n",
+                                   has_inertia(r.problem) ? "with inertia" : "low Re");
     add_line(text, "Q/Q_0", r.Q_over_Q0);
     add_line(text, "Q", r.tube.Q * scaling.factor(Quantity::flow_rate),
              scaling.unit(Quantity::flow_rate));
@@ -130,7 +133,7 @@ TheoryReport theory_report(const TubeProblem& problem)
 {
     TheoryReport r;
     r.problem = problem;
-    r.tube = solve_one_dimensional(problem);
+    r.tube = has_inertia(problem) ? solve_marched(problem) : solve_one_dimensional(problem);
     r.Q_over_Q0 = r.tube.Q / poiseuille::baseline_flow_rate;
     if (problem.tube.rigid) return r;
     r.modulus = effective_modulus(problem.material, problem.fluid.reynolds);

@@ -32,8 +32,8 @@ struct TheoryReport {
 /// The law's name for people.
 std::string_view law_name(ElasticLaw law);
 
-/// Solves the one-dimensional model and evaluates the laws at its pressures. Throws NumericalError
-/// as `solve_one_dimensional` does.
+/// Solves the one-dimensional model, with a marched profile beyond Re = 1, and evaluates the laws
+/// at its pressures. Throws NumericalError as `solve_one_dimensional` and `solve_marched` do.
 TheoryReport theory_report(const TubeProblem& problem);
 
 /// A table for people, in the units of `scaling`.
