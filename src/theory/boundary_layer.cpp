@@ -11,6 +11,12 @@ constexpr std::size_t intervals = 120;
 
 } // namespace
 
+/// The linearised equations: unknown pairs (w, F) per node, bordered by the excess.
+struct MarchedProfile::System {
+    BlockTridiagonal matrix{intervals + 1};
+    std::vector<Pair> residual = std::vector<Pair>(intervals + 1), border = residual;
+};
+
 MarchedProfile::MarchedProfile(Real viscosity) : viscosity_(viscosity)
 {
     for (std::size_t j = 0; j <= intervals; ++j) {
@@ -21,60 +27,71 @@ MarchedProfile::MarchedProfile(Real viscosity) : viscosity_(viscosity)
     }
     old_w_ = w_;
     old_F_ = F_;
+    for (std::size_t j = 0; j < intervals; ++j) weights_.push_back(weights(j));
+}
+
+MarchedProfile::Weights MarchedProfile::weights(std::size_t j) const
+{
+    const Real up = s_[j + 1] - s_[j];
+    if (j == 0) return {.curve_up = 1 / up}; // a cell from the axis to half way
+    const Real down = s_[j] - s_[j - 1], half = (up + down) / 2;
+    return {up / down / (up + down), down / up / (up + down),
+            (s_[j] + s_[j - 1]) / 2 / (down * half), (s_[j] + s_[j + 1]) / 2 / (up * half)};
 }
 
 bool MarchedProfile::turns_back() const { return w_[intervals - 1] < 0; }
 
-/// w w_x - F_x w_s = 2 (R'/R) w^2 + G + viscosity (s w_s)_s with F = the integral of w over s,
-/// G = 2 viscosity + excess, implicit in x; returns the largest change of w.
-Real MarchedProfile::newton_step(Real h, Real a)
+/// w w_x - F_x w_s = 2 (R'/R) w^2 + G + viscosity (s w_s)_s, G = 2 viscosity + excess, times h and
+/// implicit in x.
+void MarchedProfile::add_momentum(std::size_t j, Real h, Real log_growth, System& system) const
 {
-    BlockTridiagonal m(intervals + 1);
-    std::vector<Pair> residual(intervals + 1), border(intervals + 1);
-    const Real nu = viscosity_ * h, G = (2 * viscosity_ + excess_) * h;
-    for (std::size_t j = 0; j < intervals; ++j) {
-        const Real forward = w_[j] > 0 ? 1 : 0, dF = F_[j] - old_F_[j];
-        const Real right = s_[j + 1] - s_[j], left = j > 0 ? s_[j] - s_[j - 1] : right;
-        const Real s_right = (s_[j] + s_[j + 1]) / 2, s_left = j > 0 ? s_[j] - left / 2 : 0;
-        const Real up = s_right / right / (s_right - s_left);
-        const Real down = s_left / left / (s_right - s_left);
-        const Real w_left = j > 0 ? w_[j - 1] : 0;
-        // The slope of the parabola through three nodes; F_x = 0 on the axis.
-        const Real c_up = left / right / (left + right), c_down = right / left / (left + right);
-        const Real slope = j > 0 ? c_up * (w_[j + 1] - w_[j]) + c_down * (w_[j] - w_left) : 0;
-        residual[j][0] = forward * w_[j] * (w_[j] - old_w_[j]) - dF * slope -
-                         2 * a * w_[j] * w_[j] - G -
-                         nu * (up * (w_[j + 1] - w_[j]) - down * (w_[j] - w_left));
-        m.diagonal[j][0][0] = forward * (2 * w_[j] - old_w_[j]) - 4 * a * w_[j] + nu * (up + down);
-        m.upper[j][0][0] = -nu * up;
-        border[j][0] = -h;
-        if (j > 0) {
-            m.diagonal[j][0][0] += dF * (c_up - c_down);
-            m.diagonal[j][0][1] = -slope;
-            m.upper[j][0][0] -= dF * c_up;
-            m.lower[j][0][0] = dF * c_down - nu * down;
-        }
-    }
-    residual[intervals][0] = w_[intervals];
-    m.diagonal[intervals][0][0] = 1;
-    residual[0][1] = F_[0];
-    m.diagonal[0][1][1] = 1;
+    const Weights& d = weights_[j];
+    const Real w = w_[j], dF = F_[j] - old_F_[j], nu = viscosity_ * h;
+    const Real up = w_[j + 1] - w, down = j > 0 ? w - w_[j - 1] : 0;
+    const Real forward = w > 0 ? 1 : 0, slope = d.slope_down * down + d.slope_up * up;
+    system.residual[j][0] = forward * w * (w - old_w_[j]) - dF * slope - 2 * log_growth * w * w -
+                            (2 * viscosity_ + excess_) * h -
+                            nu * (d.curve_up * up - d.curve_down * down);
+    system.border[j][0] = -h;
+    system.matrix.diagonal[j][0] = {forward * (2 * w - old_w_[j]) - 4 * log_growth * w +
+                                        dF * (d.slope_up - d.slope_down) +
+                                        nu * (d.curve_up + d.curve_down),
+                                    -slope};
+    system.matrix.upper[j][0][0] = -dF * d.slope_up - nu * d.curve_up;
+    system.matrix.lower[j][0][0] = dF * d.slope_down - nu * d.curve_down;
+}
+
+/// F = the integral of w over s, by the trapezoidal rule.
+void MarchedProfile::add_flow(System& system) const
+{
+    system.residual[0][1] = F_[0];
+    system.matrix.diagonal[0][1][1] = 1;
     for (std::size_t j = 1; j <= intervals; ++j) {
         const Real half = (s_[j] - s_[j - 1]) / 2;
-        residual[j][1] = F_[j] - F_[j - 1] - half * (w_[j] + w_[j - 1]);
-        m.diagonal[j][1] = {-half, 1};
-        m.lower[j][1] = {-half, -1};
+        system.residual[j][1] = F_[j] - F_[j - 1] - half * (w_[j] + w_[j - 1]);
+        system.matrix.diagonal[j][1] = {-half, 1};
+        system.matrix.lower[j][1] = {-half, -1};
     }
-    const Real whole = F_[intervals] - 1;
-    m.solve(residual, border);
-    const Real d_excess = (whole - residual[intervals][1]) / border[intervals][1];
+}
+
+/// Returns the largest change of w.
+Real MarchedProfile::newton_step(Real h, Real log_growth)
+{
+    System system;
+    for (std::size_t j = 0; j < intervals; ++j) add_momentum(j, h, log_growth, system);
+    system.residual[intervals][0] = w_[intervals];
+    system.matrix.diagonal[intervals][0][0] = 1;
+    add_flow(system);
+    auto& [matrix, change, border] = system;
+    matrix.solve(change, border);
+    const Real d_excess = (F_[intervals] - 1 - change[intervals][1]) / border[intervals][1];
     Real largest = 0;
     for (std::size_t j = 0; j <= intervals; ++j) {
-        const Real change = -residual[j][0] - border[j][0] * d_excess;
-        if (!std::isfinite(change)) return change;
-        w_[j] += change;
-        F_[j] -= residual[j][1] + border[j][1] * d_excess;
-        largest = std::max(largest, std::abs(change));
+        const Real dw = change[j][0] + border[j][0] * d_excess;
+        if (!std::isfinite(dw)) return dw;
+        w_[j] -= dw;
+        F_[j] -= change[j][1] + border[j][1] * d_excess;
+        largest = std::max(largest, std::abs(dw));
     }
     excess_ += d_excess;
     return largest;

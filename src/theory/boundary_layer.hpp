@@ -25,10 +25,21 @@ public:
     bool turns_back() const;
 
 private:
+    /// Weights of the differences from node to node on either side of a node.
+    struct Weights {
+        Real slope_down = 0, slope_up = 0; ///< in w_s; both 0 on the axis, where F does not change
+        Real curve_down = 0, curve_up = 0; ///< in (s w_s)_s
+    };
+    struct System;
+
+    Weights weights(std::size_t j) const;
+    void add_momentum(std::size_t j, Real h, Real log_growth, System& system) const;
+    void add_flow(System& system) const;
     Real newton_step(Real h, Real log_growth);
 
     Real viscosity_, excess_ = 0;
     std::vector<Real> s_, w_, F_, old_w_, old_F_;
+    std::vector<Weights> weights_;
 };
 
 /// What inertia adds to the pressure at nodes x of a tube of radius R that begins with Poiseuille

@@ -110,3 +110,5 @@ PRESSURE_WAVE = {key: pressure_wave(*key) for key in ((4.7, 0.2), (4.7, 0.15), (
 OSCILLATION = {Re: make_run(f"oscillation-Re{Re}", "cases/oscillation_damped.toml",
                             fluid__reynolds=Re, stop__end_time=end)
                for Re, end in ((10, 30), (25, 45), (50, 60), (75, 80), (100, 100), (125, 120))}
+
+SUSTAINED = {"as shipped": make_run("oscillation-sustained", "cases/oscillation_sustained.toml")}

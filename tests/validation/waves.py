@@ -7,6 +7,7 @@ import math
 import pathlib
 import sys
 
+import h5py
 import numpy
 from scipy.interpolate import CubicSpline
 from scipy.special import iv, ive, kv
@@ -14,7 +15,7 @@ from scipy.special import iv, ive, kv
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 
 import measures  # noqa: E402
-from plot_run import wall_history  # noqa: E402
+from plot_run import middle_layers, wall_history  # noqa: E402
 
 
 def inside(q):
@@ -196,3 +197,55 @@ class Oscillation:
                 found.append(best)
                 sign, best = -sign, n
         return found
+
+
+class Sustained:
+    """A run of cases/oscillation_sustained.toml, from the first minimum of its volume on.
+
+    `backflow` gives, for each frame of the fluid from then on, its time and the share of the plane of
+    the axis inside the tube where the flow goes back; `periods` the times between maxima."""
+
+    noise = 0.1  # of the largest widening: extremes nearer to each other do not count
+
+    def __init__(self, result):
+        series = measures.columns(result.directory / "series.csv")
+        t, volume = (numpy.array(series[n]) for n in ("t", "volume"))
+        turns = Oscillation.turns(volume, self.noise * (volume.max() - volume[0]))
+        self.maxima, self.minima = turns[0::2], turns[1::2]
+        self.periods = numpy.diff(t[self.maxima])
+        settled = slice(self.minima[0], self.minima[-1] + 1)
+        numbers = {n: numpy.array(v)[settled] for n, v in series.items()}
+        self.at_start = volume[0]
+        self.volumes = volume[self.minima].min(), volume[self.maxima].max()
+        self.widest = numbers["R_max"].max()
+        self.x_widest = numbers["x_R_max"][numbers["R_max"].argmax()]
+        self.narrowest = numbers["R_max"].min()
+        self.flows = numbers["Q_in"].min(), numbers["Q_in"].max()
+        self.mean_flow = integral(numbers["t"], numbers["Q_mid"]) / numpy.ptp(numbers["t"])
+        self.power_left_over = (integral(numbers["t"], numbers["power_residual"])
+                                / integral(numbers["t"], numbers["power_in"]))
+        self.leak = (integral(numbers["t"], numpy.abs(numbers["leak"]))
+                     / integral(numbers["t"], numpy.abs(numbers["Q_mid"])))
+        self.backflow = self.returning(result.directory, t[self.minima[0]])
+
+    @staticmethod
+    def returning(directory, begin):
+        times, x, radii, _, _ = wall_history(directory / "wall.h5")
+        found = []
+        with h5py.File(directory / "fluid.h5", "r", locking=False) as file:
+            for _, frame in sorted(file["frames"].items()):
+                time = float(frame.attrs["t"])
+                if time < begin or frame["velocity"].shape[0] > 2:
+                    continue
+                origin, spacing = frame.attrs["origin"], frame.attrs["spacing"]
+                u = middle_layers(frame["velocity"], origin, spacing, 2)
+                along = origin[0] + spacing[0] * (numpy.arange(u.shape[1]) + 0.5)
+                across = origin[1] + spacing[1] * (numpy.arange(u.shape[0]) + 0.5)
+                R = numpy.interp(along, x, radii[numpy.abs(times - time).argmin()])
+                inside_tube = numpy.abs(across)[:, None] < R[None, :]
+                found.append((time, (inside_tube & (u < 0)).sum() / inside_tube.sum()))
+        return found
+
+
+def integral(t, values):
+    return float(numpy.sum((t[1:] - t[:-1]) * (values[1:] + values[:-1]) / 2))
