@@ -8,8 +8,6 @@ from measures import Q_0
 from report import percent
 from runs import sha256
 from tightness import REACH, Tightness
-from waves import PressureWave
-from waves import Oscillation, PressureWave
 from waves import Oscillation, PressureWave, Sustained
 from womersley import Womersley
 
