@@ -141,13 +141,15 @@ void add_others(CLI::App& app, CommandLine& line)
         "check", "Validate a case and print its numbers, limits and cost; runs nothing");
     add_case(*check, line);
     CLI::App* theory = app.add_subcommand(
-        "theory", "Print what theory predicts for a case: R(x), P(x), Q, buckling");
+        "theory", "Print what theory predicts for a case: R(x), P(x), Q, waves, buckling");
     add_case(*theory, line);
     theory
-        ->add_flag("--csv{profile}", line.csv,
-                   "Print a table instead: the profile (--csv), buckling loads (--csv=buckling) or "
-                   "the tube law of the buckled ring (--csv=tube-law)")
-        ->check(CLI::IsMember({"profile", "buckling", "tube-law"}));
+        ->add_flag(
+            "--csv{profile}", line.csv,
+            "Print a table instead: the profile (--csv), waves of given frequency (--csv=waves), "
+            "buckling loads (--csv=buckling) or the tube law of the buckled ring "
+            "(--csv=tube-law)")
+        ->check(CLI::IsMember({"profile", "waves", "buckling", "tube-law"}));
     CLI::App* cases = app.add_subcommand("cases", "List the shipped cases, or print one");
     cases->add_option("name", line.name, "Case to print")->option_text("NAME");
     add_readers(app, line);

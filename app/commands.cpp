@@ -18,6 +18,7 @@
 #include "simulation/run.hpp"
 #include "theory/buckling_report.hpp"
 #include "theory/theory_report.hpp"
+#include "theory/tube_waves.hpp"
 
 namespace starling::app {
 
@@ -93,10 +94,11 @@ bool gives_steady_pressures(const DriveParameters& drive)
 }
 
 /// The table that `--csv` asks for.
-std::string theory_table(const std::string& name, const TubeProblem& problem,
-                         const Scaling& scaling)
+std::string theory_table(const std::string& name, const TubeProblem& problem, const Case& c)
 {
+    const Scaling& scaling = c.scaling;
     if (name == "profile") return to_csv(theory_report(problem), scaling);
+    if (name == "waves") return waves_csv(problem, c.grid, scaling);
     const auto buckling = buckling_report(problem);
     if (!buckling)
         throw InputError("--csv=" + name +
@@ -107,7 +109,7 @@ std::string theory_table(const std::string& name, const TubeProblem& problem,
     return name == "buckling" ? to_csv(*buckling, scaling) : tube_law_csv(*buckling, scaling);
 }
 
-/// For tubes that may collapse, where the axisymmetric model is not all that theory has to say.
+/// Where the steady model is not all that theory has to say.
 std::string model_or_its_failure(const TubeProblem& problem, const Scaling& scaling)
 {
     try {
@@ -122,23 +124,25 @@ void theory_command(const CommandLine& line)
     const Case c = read_case(line.case_file, line.overrides);
     const TubeProblem problem{c.tube, c.material, c.fluid, c.drive};
     if (!line.csv.empty()) {
-        if (!gives_steady_pressures(c.drive))
+        if (!gives_steady_pressures(c.drive) && line.csv != "waves")
             throw InputError("--csv: the models are of steady pressures at both ends, which this "
                              "case does not give");
-        fmt::print("{}", theory_table(line.csv, problem, c.scaling));
+        fmt::print("{}", theory_table(line.csv, problem, c));
         return;
     }
     if (!gives_steady_pressures(c.drive)) {
-        fmt::print(
-            "The models are of steady pressures at both ends, which this case does not give: "
-            "nothing to predict.\n");
+        fmt::print("The models of inflation are of steady pressures at both ends, which this case "
+                   "does not give.\n{}",
+                   waves_text(problem, c.grid, c.scaling));
         return;
     }
     const auto buckling = buckling_report(problem);
-    fmt::print("{}", buckling ? model_or_its_failure(problem, c.scaling)
-                              : to_text(theory_report(problem), c.scaling));
+    fmt::print("{}", buckling || !has_theory(c) ? model_or_its_failure(problem, c.scaling)
+                                                : to_text(theory_report(problem), c.scaling));
     if (!has_theory(c))
-        fmt::print("This case is outside the model: it holds for steady inflation at Re <= 1.\n");
+        fmt::print("This case may be outside the model: it holds for steady inflation by a flow "
+                   "slower than the waves of the wall.\n");
+    fmt::print("{}", waves_text(problem, c.grid, c.scaling));
     if (buckling) fmt::print("{}", to_text(*buckling, c.scaling));
     if (c.material.bending > 0 && c.material.support.stiffness > 0)
         fmt::print("Buckling loads are left out: theory has none for a wall with "

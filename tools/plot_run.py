@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws the results of a Starling run: profiles.png, history.png, tube.png, flow.png, and
-breakdown.png where a run has broken down.
+"""Draws the results of a Starling run: profiles.png, history.png, tube.png, flow.png, waves.png
+where the wall was written often, and breakdown.png where a run has broken down.
 
 usage: plot_run.py DIR
 
@@ -263,6 +263,57 @@ def largest_waves(frame, lobes):
     count = np.bincount(ring)
     return [np.hypot(*(2 * np.bincount(ring, radius * wave(n * theta)) / count
                        for wave in (np.cos, np.sin))).max() for n in lobes]
+
+
+FEWEST_FRAMES = 12  # of the wall, for a picture over x and t
+
+
+def wall_history(path):
+    """Times of the frames of the wall, x of its rings, and (frames, rings) of their mean radius
+    and transmural pressure; with the units of the two."""
+    times, radii, pressures = [], [], []
+    with h5py.File(path, "r", locking=False) as file:
+        for _, frame in sorted(file["frames"].items()):
+            points = frame["points"][...].astype(float)
+            x = points[:, 0]
+            ring = np.unique(np.round(x / np.ptp(x), 5), return_inverse=True)[1]
+            count = np.bincount(ring)
+            times.append(float(frame.attrs["t"]))
+            radii.append(np.bincount(ring, np.hypot(points[:, 1], points[:, 2])) / count)
+            pressures.append(np.bincount(ring, frame["transmural_pressure"][...]) / count)
+            units = unit_of(frame["points"]), unit_of(frame["transmural_pressure"])
+    x = np.bincount(ring, x) / count
+    return np.array(times), x, np.array(radii), np.array(pressures), units
+
+
+def plot_waves(directory, t_unit):
+    """Radius and transmural pressure over x and t."""
+    path = os.path.join(directory, "wall.h5")
+    if not os.path.exists(path):
+        return
+    with h5py.File(path, "r", locking=False) as file:
+        if len(file["frames"]) < FEWEST_FRAMES:
+            return
+    times, x, radii, pressures, units = wall_history(path)
+    t_axis, x_axis = Axis(t_unit, times), Axis(units[0], x)
+    figure, panels = plt.subplots(1, 2, figsize=(9, 4.6), sharey=True)
+    for axes, values, unit, words in zip(
+            panels, (radii - radii[0], pressures), units,
+            ("radius less that at the start", "pressure inside less outside")):
+        axis = Axis(unit, values)
+        low, high = axis(np.percentile(values, [0.2, 99.8]))
+        signs = low < -0.1 * high
+        bound = max(-low, high) or 1
+        picture = axes.pcolormesh(x_axis(x), t_axis(times), axis(values), shading="gouraud",
+                                  cmap="RdBu_r" if signs else "viridis", rasterized=True,
+                                  vmin=-bound if signs else 0, vmax=bound)
+        axes.set_xlabel(x_axis.label("position along the tube"))
+        axes.grid(False)
+        bar = figure.colorbar(picture, ax=axes, location="top", shrink=0.9, aspect=30)
+        bar.set_label(axis.label(words))
+        bar.outline.set_visible(False)
+    panels[0].set_ylabel(t_axis.label("time"))
+    save(figure, directory, "waves.png")
 
 
 def draw_leak(axes, t, series):
@@ -548,6 +599,7 @@ def main():
             print("no profile.csv: the run has not ended; profiles.png left out")
         plot_tube(directory, series.units["R_max"])
         plot_flow(directory, series.units["R_max"])
+        plot_waves(directory, series.units["t"])
         plot_breakdown(directory, series.units["R_max"], summary)
 
 

@@ -23,6 +23,7 @@ target_link_libraries(starling_config PRIVATE fmt::fmt tomlplusplus::tomlplusplu
 # The shipped cases travel inside the program, so that `starling cases NAME` works anywhere.
 set(shipped_case_entries "")
 foreach(name inflation inflation_neo_hookean rigid_tube womersley carotid microchannel_si
+        pressure_wave oscillation_damped oscillation_sustained
         collapse_mode2 collapse_mode3 collapse_mode4 collapse_mode5)
   set(file ${PROJECT_SOURCE_DIR}/cases/${name}.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})

@@ -139,16 +139,18 @@ void ClampedMembrane::add_ring_balance(const Law& law, const MembraneLoad& load,
 {
     auto& [lower, diagonal, upper] = system.matrix;
     const Real least_tension = least_axial_tension(load);
+    const auto transmural = [&](std::size_t i) {
+        return state.P[i] - load.P_external + (load.more.empty() ? 0 : load.more[i]);
+    };
     for (std::size_t i = 0; i + 1 < x_.size(); ++i) {
         const std::size_t j = i + 1;
-        const Element e =
-            element(law, least_tension,
-                    {.h = x_[j] - x_[i],
-                     .R = {state.R[i], state.R[j]},
-                     .P = {state.P[i] - load.P_external, state.P[j] - load.P_external},
-                     .gradient = state.gradient,
-                     .inertia = inertia_,
-                     .support = support_});
+        const Element e = element(law, least_tension,
+                                  {.h = x_[j] - x_[i],
+                                   .R = {state.R[i], state.R[j]},
+                                   .P = {transmural(i), transmural(j)},
+                                   .gradient = state.gradient,
+                                   .inertia = inertia_,
+                                   .support = support_});
         system.residual[i][0] += e.residual[0];
         system.residual[j][0] += e.residual[1];
         diagonal[i][0][0] += e.dR[0][0];

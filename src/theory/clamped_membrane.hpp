@@ -21,14 +21,16 @@ struct MembraneState {
 /// Pressures at the two ends of the whole tube and outside it.
 struct MembraneLoad {
     Real P_inlet = 0, P_outlet = 0, P_external = 0;
+    std::vector<Real> more = {}; ///< added to the pressure inside at the nodes; empty: nothing
 };
 
 /// A membrane tube of modulus G_s = 1, clamped at R = 1 at both ends of its mesh.
 class ClampedMembrane {
 public:
-    /// `x` increases from clamp to clamp; `law` has G_s = 1; `inertia` is the dynamic pressure
-    /// (Q/pi)^2 over the square of the gradient, (Re/8)^2 in units of G_s; `support` is the
-    /// stiffness of the tissue around per undeformed area, in G_s/R_0^2.
+    /// `x` increases from clamp to clamp; `law` has G_s = 1; `inertia` times
+    /// 1 - 1/R^4 and the square of the gradient is the pressure that inertia adds: to first order
+    /// in the slope it is the dynamic pressure (Q/pi)^2 over that square, (Re/8)^2 in units of G_s;
+    /// `support` is the stiffness of the tissue around per undeformed area, in G_s/R_0^2.
     ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law,
                     Real inertia, Real support);
 

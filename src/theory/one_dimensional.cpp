@@ -1,11 +1,13 @@
 #include "theory/one_dimensional.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "theory/boundary_layer.hpp"
 #include "theory/clamped_membrane.hpp"
 #include "theory/poiseuille.hpp"
 
@@ -37,15 +39,15 @@ std::vector<Real> clustered_nodes(Real a, Real b, Index intervals)
     return x;
 }
 
-/// The membrane of `problem` with pressures in units of G_s.
-ClampedMembrane membrane(const TubeProblem& problem, Index intervals)
+/// The membrane of `problem` with pressures in units of G_s, and of inertia the given share.
+ClampedMembrane membrane(const TubeProblem& problem, Index intervals, Real share = 1)
 {
     const Real Re = problem.fluid.reynolds, G_s = shear_modulus(problem.material, Re);
     return {clustered_nodes(problem.clamp_inlet(), problem.clamp_outlet(), intervals),
             problem.tube.rigid_inlet,
             problem.tube.rigid_outlet,
             make_material(problem.material, 1 / problem.material.eps), // G_s = 1
-            Re * Re / 64 * G_s,
+            share * Re * Re / 64 * G_s,
             problem.material.support.stiffness / G_s};
 }
 
@@ -149,6 +151,73 @@ void find_largest_radius(OneDimensionalTube& tube)
     tube.R_max -= slope * slope / (2 * curvature);
 }
 
+/// The share of first-order inertia that the membrane's equations keep where the rest comes from a
+/// march: that of a momentum integral over an unchanged parabola.
+constexpr Real kept_share = 2.0 / 3;
+
+/// A problem solved with a part of its inertia, on the way to the whole.
+struct PartOfInertia {
+    const TubeProblem& problem;
+    Real part;
+
+    ClampedMembrane tube(Index intervals) const
+    {
+        return membrane(problem, intervals, part * kept_share);
+    }
+};
+
+/// What the march along the tube of `state` adds to the kept share, at the nodes and at the outlet,
+/// in units of G_s. Empty where it failed.
+std::vector<Real> rest_of_inertia(const PartOfInertia& p, const ClampedMembrane& tube,
+                                  const MembraneState& state)
+{
+    const Real Re = p.problem.fluid.reynolds, G_s = shear_modulus(p.problem.material, Re);
+    const Real Q = pi * Re / 8 * state.gradient * G_s;
+    const Real dynamic = p.part * Q * Q / (pi * pi) / G_s;
+    std::vector<Real> more = inertial_pressure(tube.x(), state.R, p.problem.tube.rigid_outlet,
+                                               4 * pi / (p.part * Re * Q));
+    for (Real& pressure : more) pressure *= dynamic;
+    for (std::size_t i = 0; i < std::min(more.size(), state.R.size()); ++i)
+        more[i] -= kept_share * dynamic * (1 - std::pow(state.R[i], -4));
+    return more;
+}
+
+/// Moves the load's `more` and outlet pressure towards those that the state asks for; the largest
+/// difference that was left, or NaN.
+Real follow(const PartOfInertia& p, const ClampedMembrane& tube, const MembraneState& state,
+            MembraneLoad& load)
+{
+    constexpr Real part = 0.7;
+    const std::vector<Real> asked = rest_of_inertia(p, tube, state);
+    if (asked.empty()) return std::numeric_limits<Real>::quiet_NaN();
+    const Real P_outlet = membrane_load(p.problem, 1).P_outlet - asked.back();
+    Real largest = std::abs(P_outlet - load.P_outlet);
+    load.P_outlet += part * (P_outlet - load.P_outlet);
+    load.more.resize(state.R.size(), 0);
+    for (std::size_t i = 0; i < state.R.size(); ++i) {
+        largest = std::max(largest, std::abs(asked[i] - load.more[i]));
+        load.more[i] += part * (asked[i] - load.more[i]);
+    }
+    return largest;
+}
+
+/// Finds tube and load with this part of the inertia from others nearby; false where it fails.
+bool settle(const PartOfInertia& p, const ClampedMembrane& tube, MembraneState& state,
+            MembraneLoad& load)
+{
+    constexpr int most_steps = 100;
+    constexpr Real converged = 1e-7; // of the pressure drop
+    const Real scale = std::abs(load.P_inlet - membrane_load(p.problem, 1).P_outlet);
+    for (int step = 0; step < most_steps; ++step) {
+        const MembraneState before = state;
+        if (!tube.solve(load, state) || !near(before, state)) return false;
+        const Real left = follow(p, tube, state, load);
+        if (left < converged * scale) return true;
+        if (!std::isfinite(left)) return false;
+    }
+    return false;
+}
+
 OneDimensionalTube rigid_tube(const TubeProblem& problem)
 {
     const DriveParameters& d = problem.drive;
@@ -164,16 +233,18 @@ OneDimensionalTube rigid_tube(const TubeProblem& problem)
 Real OneDimensionalTube::R_at(Real position) const { return interpolate(x, R, position); }
 Real OneDimensionalTube::P_at(Real position) const { return interpolate(x, P, position); }
 
-OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals)
+namespace {
+
+/// The tube of a state, with `more` pressure at its nodes (G_s).
+OneDimensionalTube tube_of(const TubeProblem& problem, const ClampedMembrane& mesh,
+                           const MembraneState& state, const std::vector<Real>& more)
 {
-    if (problem.tube.rigid) return rigid_tube(problem);
-    const MembraneState state = solve_membrane(problem, intervals);
     const Real G_s = shear_modulus(problem.material, problem.fluid.reynolds);
     OneDimensionalTube tube;
-    const ClampedMembrane mesh = membrane(problem, intervals);
     tube.x = mesh.x();
     tube.R = state.R;
     for (const Real P : mesh.axis_pressure(state)) tube.P.push_back(P * G_s);
+    for (std::size_t i = 0; i < more.size(); ++i) tube.P[i] += more[i] * G_s;
     tube.Q = pi * problem.fluid.reynolds / 8 * state.gradient * G_s;
     find_largest_radius(tube);
     if (problem.tube.rigid_inlet > 0) {
@@ -187,6 +258,40 @@ OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index inter
         tube.P.push_back(problem.drive.pressure_outlet);
     }
     return tube;
+}
+
+} // namespace
+
+OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals)
+{
+    if (problem.tube.rigid) return rigid_tube(problem);
+    const MembraneState state = solve_membrane(problem, intervals);
+    return tube_of(problem, membrane(problem, intervals), state, {});
+}
+
+OneDimensionalTube solve_marched(const TubeProblem& problem, Index intervals)
+{
+    if (problem.tube.rigid) return rigid_tube(problem);
+    constexpr Real smallest_step = 0.02;
+    MembraneState state = load_up(problem, membrane(problem, intervals, 0));
+    MembraneLoad load = membrane_load(problem, 1);
+    load.more.assign(state.R.size(), 0);
+    for (Real part = 0, step = 1; part < 1;) {
+        const PartOfInertia next{problem, std::min(part + step, 1.0)};
+        MembraneState there = state;
+        MembraneLoad load_there = load;
+        if (settle(next, next.tube(intervals), there, load_there)) {
+            part = next.part;
+            state = std::move(there);
+            load = std::move(load_there);
+        } else if ((step /= 2) < smallest_step)
+            throw NumericalError(
+                fmt::format("the one-dimensional model with inertia finds no steady tube beyond "
+                            "Re = {:.3g}",
+                            part * problem.fluid.reynolds),
+                "smaller pressures, a stiffer wall (smaller eps) or a smaller Reynolds number");
+    }
+    return tube_of(problem, PartOfInertia{problem, 1}.tube(intervals), state, load.more);
 }
 
 } // namespace starling

@@ -27,4 +27,10 @@ struct OneDimensionalTube {
 /// NumericalError if loading from zero to the given pressures in small steps meets no solution.
 OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals = 1000);
 
+/// The same with inertia to all orders in Re times the slope: the profile of the velocity is
+/// marched along the tube (boundary_layer.hpp), with first-order accuracy on one mesh. For flows
+/// slower than the waves of the wall, from inlet to outlet. Throws NumericalError where it finds no
+/// steady tube.
+OneDimensionalTube solve_marched(const TubeProblem& problem, Index intervals = 1000);
+
 } // namespace starling

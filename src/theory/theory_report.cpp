@@ -8,13 +8,14 @@
 
 #include "theory/poiseuille.hpp"
 #include "theory/report_text.hpp"
-#include "theory/wave_speed.hpp"
 
 namespace starling {
 
 namespace {
 
 constexpr Index table_rows = 17;
+
+bool has_inertia(const TubeProblem& problem) { return problem.fluid.reynolds > 1; }
 
 /// Transmural pressure over E'h.
 Real P_bar(const TheoryReport& r, Real x)
@@ -65,7 +66,8 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     const std::string length = scaling.unit(Quantity::length);
     const std::string pressure = scaling.unit(Quantity::pressure);
     const Real l = scaling.factor(Quantity::length), p = scaling.factor(Quantity::pressure);
-    std::string text = "One-dimensional model of the clamped tube (steady, low Re)\n";
+    std::string text = fmt::format("One-dimensional model of the clamped tube (steady, {})\n",
+                                   has_inertia(r.problem) ? "with inertia" : "low Re");
     add_line(text, "Q/Q_0", r.Q_over_Q0);
     add_line(text, "Q", r.tube.Q * scaling.factor(Quantity::flow_rate),
              scaling.unit(Quantity::flow_rate));
@@ -76,8 +78,6 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     add_line(text, "largest slope |dR/dx|", r.max_slope);
     add_line(text, "pressure at the inlet clamp", r.P_clamp_inlet * p, pressure);
     add_line(text, "pressure at the outlet clamp", r.P_clamp_outlet * p, pressure);
-    add_line(text, "Moens-Korteweg wave speed with E/(1 - nu^2)",
-             r.wave_speed * scaling.factor(Quantity::velocity), scaling.unit(Quantity::velocity));
     text += "Q/Q_0 of the laws, from the largest radius to the outlet clamp\n";
     add_line(text, "law of Laplace, Eq. (55)", r.law_Q_over_Q0[0]);
     add_line(text, "Anand-Christov, Eq. (56)", r.law_Q_over_Q0[1]);
@@ -133,14 +133,13 @@ TheoryReport theory_report(const TubeProblem& problem)
 {
     TheoryReport r;
     r.problem = problem;
-    r.tube = solve_one_dimensional(problem);
+    r.tube = has_inertia(problem) ? solve_marched(problem) : solve_one_dimensional(problem);
     r.Q_over_Q0 = r.tube.Q / poiseuille::baseline_flow_rate;
     if (problem.tube.rigid) return r;
     r.modulus = effective_modulus(problem.material, problem.fluid.reynolds);
     r.law_Q_over_Q0 = law_flow_rates(r);
     r.P_clamp_inlet = r.tube.P_at(problem.clamp_inlet());
     r.P_clamp_outlet = r.tube.P_at(problem.clamp_outlet());
-    r.wave_speed = wave_speed(problem.material, problem.fluid.reynolds);
     find_extremes(r);
     return r;
 }

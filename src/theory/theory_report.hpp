@@ -24,7 +24,6 @@ struct TheoryReport {
     Real max_strain = 0;                 ///< largest |R - 1|
     Real max_slope = 0;                  ///< largest |dR/dx|: lubrication wants it small
     Real P_clamp_inlet = 0, P_clamp_outlet = 0;
-    Real wave_speed = 0; ///< about the undeformed tube
 
     /// R(P) of a law at the model's transmural pressure at x; NaN in the rigid ends.
     Real law_radius(RadiusLaw law, Real x) const;
@@ -33,8 +32,8 @@ struct TheoryReport {
 /// The law's name for people.
 std::string_view law_name(ElasticLaw law);
 
-/// Solves the one-dimensional model and evaluates the laws at its pressures. Throws NumericalError
-/// as `solve_one_dimensional` does.
+/// Solves the one-dimensional model, with a marched profile beyond Re = 1, and evaluates the laws
+/// at its pressures. Throws NumericalError as `solve_one_dimensional` and `solve_marched` do.
 TheoryReport theory_report(const TubeProblem& problem);
 
 /// A table for people, in the units of `scaling`.

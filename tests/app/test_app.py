@@ -132,6 +132,12 @@ def test_check_and_theory(directory):
     expect("Q/Q_0" in result.stdout, result.stdout)
     result = starling("theory", CASE, "--csv")
     expect(result.stdout.startswith("x [R_0],R [R_0],P ["), result.stdout[:80])
+    for words in ("Moens-Korteweg", "with the fluid outside", "slowest mode"):
+        expect(words in starling("theory", CASE).stdout, "theory does not say", words)
+    fast = ["theory", CASE, "--set", "fluid.reynolds=50", "--set", "drive.pressure_ratio=3"]
+    expect("slowest mode" in starling(*fast).stdout, "theory without a steady model lacks waves")
+    result = starling("theory", CASE, "--csv=waves")
+    expect(result.stdout.startswith("omega [U_c/R_0],speed [U_c],att"), result.stdout[:80])
     expect("Buckling" not in starling("theory", CASE).stdout, "a membrane has no buckling load")
     expect_exit(starling("theory", CASE, "--csv=buckling"), 2)
     expect_exit(starling("theory", CASE, "--csv=nonsense"), 2)
@@ -142,7 +148,7 @@ def test_check_and_theory(directory):
         expect(words in result.stdout, "theory does not say", words, "\n", result.stdout)
     expect(starling(*bending, "--csv=buckling").stdout.startswith("n [1],p_ring ["), "loads")
     unsteady = ["theory", SOURCE / "cases" / "womersley.toml"]
-    expect("nothing to predict" in starling(*unsteady).stdout, starling(*unsteady).stdout)
+    expect("which this case does not give" in starling(*unsteady).stdout, starling(*unsteady).stdout)
     expect_exit(starling(*unsteady, "--csv"), 2)
     expect(starling(*bending, "--csv=tube-law").stdout.startswith("n [1],p ["), "tube law")
     expect(not list(directory.iterdir()), "check or theory wrote a file")
@@ -888,6 +894,19 @@ def check_shapes_of_plots(out):
     expect(plot.widened(point, 2).sum() == 13, plot.widened(point, 2))
 
 
+def check_wall_history(out):
+    """The rings of the last frame are those of profile.csv."""
+    plot, np = importlib.import_module("plot_run"), importlib.import_module("numpy")
+    t, x, radii, pressures, units = plot.wall_history(out / "wall.h5")
+    profile = plot.read(out, "profile.csv")
+    expect(np.allclose(t[:3], [0, 0.01, 0.02]), t)
+    expect(radii.shape == pressures.shape == (len(t), len(x)), radii.shape)
+    expect(np.allclose(x, profile["x"], atol=1e-5), x)
+    expect(np.allclose(radii[-1], profile["R_mean"], atol=1e-6), radii[-1])
+    expect(np.allclose(pressures[-1], profile["P_transmural"], rtol=1e-4, atol=1), pressures[-1])
+    expect(units == ("R_0", "rho U_c^2"), units)
+
+
 def have_plot_packages():
     return subprocess.run(["/usr/bin/python3", "-c", "import matplotlib, h5py, numpy"],
                           capture_output=True, check=False).returncode == 0
@@ -924,6 +943,7 @@ def test_plot(directory):
     check_shapes_of_plots(out)
     for name in ("history.png", "profiles.png", "tube.png", "flow.png"):
         expect((out / name).read_bytes().startswith(b"\x89PNG"), name)
+    expect(not (out / "waves.png").exists(), "a picture over time of two frames")
     (out / "tube.png").unlink()
     (out / "tube.png").mkdir()  # cannot be written
     result = starling("plot", out)
@@ -933,6 +953,11 @@ def test_plot(directory):
     (out / "profile.csv").unlink()  # as after a kill
     (out / "summary.json").unlink()
     expect_exit(starling("plot", out), 0)
+    often = directory / "often"
+    expect_exit(starling("run", *SHORT, "--set", "stop.steps=13", "--set", "output.wall_every=0.01",
+                         "--out", often), 0)
+    expect("waves.png" in starling("plot", often).stdout, "no waves.png")
+    check_wall_history(often)
 
 
 FLUID_PHASES = ["momentum", "pressure"]

@@ -96,3 +96,19 @@ FILTERS = {(ratio, d, s): inflation(ratio, spacing=d, end_time=16, tolerance=1e-
                                     wall__mesh_filter=s)
            for d, strengths in ((0.13, (0, 1, 2, 4)), (0.1, (2, 4))) for ratio in (1, 3)
            for s in strengths}
+
+
+def pressure_wave(width, spacing):
+    return make_run(f"pressure-wave-w{width}-d{spacing}", "cases/pressure_wave.toml",
+                    grid__width_y=width, grid__width_z=width, grid__spacing=spacing,
+                    output__fluid="false")
+
+
+PRESSURE_WAVE = {key: pressure_wave(*key) for key in ((4.7, 0.2), (4.7, 0.15), (7, 0.2))}
+
+# Long enough for three periods.
+OSCILLATION = {Re: make_run(f"oscillation-Re{Re}", "cases/oscillation_damped.toml",
+                            fluid__reynolds=Re, stop__end_time=end)
+               for Re, end in ((10, 30), (25, 45), (50, 60), (75, 80), (100, 100), (125, 120))}
+
+SUSTAINED = {"as shipped": make_run("oscillation-sustained", "cases/oscillation_sustained.toml")}

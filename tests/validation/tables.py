@@ -1,4 +1,6 @@
 """The tables of docs/validation.md: each function writes one section from finished runs."""
+import math
+
 import cases
 import measures
 from carotid import Carotid
@@ -6,6 +8,7 @@ from measures import Q_0
 from report import percent
 from runs import sha256
 from tightness import REACH, Tightness
+from waves import Oscillation, PressureWave, Sustained
 from womersley import Womersley
 
 
@@ -37,6 +40,15 @@ def rows(runs, get, width, row):
         else:
             table.append(row(key, result))
     return table
+
+
+def whole(get):
+    """`get` without the runs that `--quick` cut short, of which nothing can be measured."""
+    def finished(run):
+        result = get(run)
+        return None if result is None or result["reason"] == "steps" else result
+
+    return finished
 
 
 AXISYMMETRIC = ["R_max - 1 against axisymmetric", "Q against axisymmetric"]
@@ -244,6 +256,76 @@ def carotid(report, get):
         + f" of what enters; {result['steps']} steps, {result['wall_seconds']:.0f} s.")
 
 
+def pressure_wave(report, get):
+    def row(key, r):
+        case, w = f"box {key[0]}, spacing {key[1]}", PressureWave(r)
+        error = w.speed / w.predicted_speed - 1
+        back = w.return_speed / w.predicted_return_speed - 1
+        return [f"{key[0]}, {key[1]}", f"{w.tube.long_wave_speed:.3f}", f"{w.predicted_speed:.4f}",
+                f"{w.speed:.4f}", report.at_most(f"{case}: speed", error, 0.03),
+                f"{w.amplitude:.3f}", f"{w.predicted_amplitude:.3f}",
+                report.at_most(f"{case}: speed to the clamp and back", back, 0.03),
+                f"{w.returned:.3f}", f"{w.predicted_return:.3f}", r["steps"],
+                f"{r['wall_seconds']:.0f}"]
+
+    header = ["box, spacing", "speed of long waves", "speed, theory", "speed", "difference",
+              "amplitude kept", "the same, theory", "speed to the clamp and back, difference",
+              "amplitude come back", "the same, theory", "steps", "seconds"]
+    report.table(header, rows(cases.PRESSURE_WAVE, whole(get), len(header), row))
+
+
+def oscillation(report, get):
+    def number(value):
+        return "-" if math.isnan(value) else f"{value:.2f}"
+
+    def period(Re, o):
+        cell = number(o.period)
+        if Re < 50:
+            return cell
+        error = o.period / o.slowed_period - 1
+        return cell + ", " + report.at_most(f"Re = {Re}: period on the stream", error, 0.1, 1)
+
+    def row(Re, r):
+        o = Oscillation(r)
+        return [Re, number(o.swing), o.swings, number(o.small_period), number(o.stream),
+                number(o.slowed_period), period(Re, o), number(o.small_decay_time),
+                number(o.decay_time), f"{r['Q_mid_over_Q0']:.3f}", f"{r['R_max'] - 1:.4f}",
+                r["steps"], f"{r['wall_seconds']:.0f}"]
+
+    header = ["Re", "first swing", "swings", "period of small waves at rest", "stream",
+              "on the stream", "period", "decay time of small waves", "decay time",
+              "Q/Q_0 at the end", "R_max - 1 at the end", "steps", "seconds"]
+    report.table(header, rows(cases.OSCILLATION, whole(get), len(header), row))
+    runs = [Oscillation(r) for r in map(whole(get), cases.OSCILLATION.values())
+            if r and not r.broke_down]
+    for what, name in (("amplitude", "swing"), ("decay time", "decay_time")):
+        found = [value for o in runs if not math.isnan(value := getattr(o, name))]
+        report.paragraph(f"The {what} grows with Re: "
+                         + report.check(f"{what} grows with Re", len(found) > 1 and found == sorted(found),
+                                        ", ".join(map(number, found))))
+
+
+def sustained(report, get):
+    result = whole(get)(cases.SUSTAINED["as shipped"])
+    if result is None or result.broke_down:
+        return report.paragraph("Not run.")
+    s = Sustained(result)
+    back = [share for _, share in s.backflow]
+    report.table(["from the first minimum on", "measured"], [
+        ["maxima of the volume", report.check("maxima", len(s.maxima) >= 4, f"{len(s.maxima)} (≥ 4)")],
+        ["between them", ", ".join(f"{p:.1f}" for p in s.periods)],
+        ["volume over that at rest", f"{s.volumes[0] / s.at_start:.2f} to "
+                                     f"{s.volumes[1] / s.at_start:.2f}"],
+        ["largest radius", f"{s.narrowest:.2f} to {s.widest:.2f}, widest at x = {s.x_widest:.1f}"],
+        ["flow rate at the inlet over Q_0", f"{s.flows[0] / Q_0:.1f} to {s.flows[1] / Q_0:.1f}"],
+        ["mean flow rate over Q_0", f"{s.mean_flow / Q_0:.2f}"],
+        ["share of the plane of the axis where the flow goes back",
+         f"{percent(min(back), 0)} to {percent(max(back), 0)}" if back else "-"],
+        ["power left over", percent(s.power_left_over, 1)],
+        ["leak over the flow", percent(s.leak, 1)],
+        ["steps, seconds", f"{result['steps']}, {result['wall_seconds']:.0f}"]])
+
+
 def threads(report, get):
     results = [get(run) for run in cases.THREADS.values()]
     if not all(results):
@@ -364,6 +446,25 @@ SECTIONS = [
             "without pressure, 6.4 m/s at the mean), harmonic by harmonic, "
             "between the inlet's flow rate and the Windkessel. Lumped: the vessel as one compliance before "
             "the Windkessel.", carotid),
+    Section("pressure_wave", "Pressure wave", values(cases.PRESSURE_WAVE),
+            "`cases/pressure_wave.toml`: a pulse whose Moens-Korteweg speed is 1, between the stations "
+            "x = 7 and 19, and from 19 to the outlet clamp and back. Speed: distance over the delay of "
+            "the largest cross-correlation of the displacements. Theory: the displacement at the first "
+            "station (for the way back: at the second, with the reflection at the clamp) is sent along "
+            "the tube by the dispersion relation of docs/theory.md, with the fluid outside and "
+            "viscosity, and measured in the same way. Amplitude: largest displacement over that at the "
+            "first station; come back: smallest over the largest that went by.",
+            pressure_wave),
+    Section("oscillation", "Damped oscillation, Fig. 13", values(cases.OSCILLATION),
+            "`cases/oscillation_damped.toml` at several Re: eps = 0.01, ratio 1, spacing 0.2. First swing: "
+            "the first maximum of the enclosed volume less the minimum behind it, in R_0^3; period: "
+            "between the first two maxima; decay time: from the first two swings. Small waves: the "
+            "slowest mode of docs/theory.md, about the undeformed tube; on the stream: with its mean "
+            "speed over that first period.", oscillation),
+    Section("sustained", "Sustained oscillation, Fig. 14", values(cases.SUSTAINED),
+            "`cases/oscillation_sustained.toml`: Re = 50, eps = 0.02, ratio 1.25, spacing 0.2; docs/waves.md "
+            "has other ratios. Power left over and leak: integrals over time, over those of what enters "
+            "and of |Q| half way.", sustained),
     Section("threads", "The same bits with 1 and 2 threads", values(cases.THREADS),
             "200 steps at ratio 1.5, spacing 0.1.", threads),
     Section("schemes", "Coupling schemes at ratio 1", values(cases.SCHEMES),

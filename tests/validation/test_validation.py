@@ -15,6 +15,7 @@ import tempfile
 import cases
 import measures
 from runs import SOURCE, Runner, make_run
+from waves import Oscillation, PressureWave
 from womersley import Womersley
 
 PROGRAM, SCENARIO = sys.argv[1:3]
@@ -75,6 +76,26 @@ def test_womersley(directory):
     expect("amplitude", w.amplitude_error, -0.01, 0.01)  # 0.0056
     expect("phase in degrees", w.phase_error, 0, 2)  # 1.33
     expect("leak over the amplitude", w.leak, 0, 0.035)  # 0.018
+
+
+def test_pressure_wave(directory):
+    """A pulse travels as theory says, and comes back from the clamp with the other sign."""
+    run = make_run("wave", "cases/pressure_wave.toml", grid__spacing=0.25, time__step=0.05,
+                   output__fluid="false")
+    w = PressureWave(result_of(run, directory))
+    expect("speed over that of theory", w.speed / w.predicted_speed, 0.98, 1.05)  # 1.029
+    expect("amplitude kept over that of theory", w.amplitude / w.predicted_amplitude, 0.9, 1.1)  # 1.07
+    expect("speed to the clamp and back", w.return_speed / w.predicted_return_speed, 0.98, 1.06)  # 1.036
+    expect("amplitude come back", w.returned, -0.76, -0.66)  # -0.709, theory -0.687
+
+
+def test_oscillation(directory):
+    """A tube swings after the start with the period of theory; the swing decays."""
+    run = make_run("oscillation", "cases/oscillation_damped.toml", fluid__reynolds=50,
+                   grid__spacing=0.25, stop__end_time=36, output__fluid="false")
+    o = Oscillation(result_of(run, directory))
+    expect("period over that of small waves on the stream", o.period / o.slowed_period, 0.88, 1.03)  # 0.942
+    expect("decay time over that of small waves", o.decay_time / o.small_decay_time, 0.6, 1)  # 0.783
 
 
 def test_laws(directory):

@@ -34,7 +34,6 @@ TEST(TheoryReport, MainCaseHasItsKnownValues)
     EXPECT_NEAR(r.Q_over_Q0, 1.448321, 1e-6);
     EXPECT_NEAR(r.tube.R_max, 1.206045, 1e-6);
     EXPECT_EQ(r.max_strain, r.tube.R_max - 1);
-    EXPECT_NEAR(r.wave_speed, std::sqrt(1000), 1e-10);
     // Poiseuille flow in the rigid ends gives the pressures at the clamps.
     const Real gradient = poiseuille::pressure_gradient(r.tube.Q, 0.1);
     EXPECT_NEAR(r.P_clamp_inlet, r.problem.drive.pressure_inlet + gradient * 1.18, 1e-8);
@@ -54,7 +53,7 @@ TEST(TheoryReport, TableNamesEveryResult)
     const std::string text = to_text(theory_report(main_case()), Scaling{});
     for (const char* part :
          {"Re ", "eps", "Delta P/Delta P_0", "Q/Q_0", "largest radius", "largest strain", "clamp",
-          "Moens-Korteweg", "Eq. (55)", "Eq. (56)", "Eq. (57)", "1.44832", "1.20604"})
+          "Eq. (55)", "Eq. (56)", "Eq. (57)", "1.44832", "1.20604"})
         EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
