@@ -24,7 +24,8 @@ target_link_libraries(starling_config PRIVATE fmt::fmt tomlplusplus::tomlplusplu
 set(shipped_case_entries "")
 foreach(name inflation inflation_neo_hookean rigid_tube womersley carotid microchannel_si
         pressure_wave oscillation_damped oscillation_sustained
-        collapse_mode2 collapse_mode3 collapse_mode4 collapse_mode5)
+        collapse_mode2 collapse_mode3 collapse_mode4 collapse_mode5 collapse_mode6 collapse_mode8
+        tube_law starling_resistor)
   set(file ${PROJECT_SOURCE_DIR}/cases/${name}.toml)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(READ ${file} text)

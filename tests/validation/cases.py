@@ -92,6 +92,40 @@ WOMERSLEY = {alpha: make_run(f"womersley-a{alpha}", "cases/womersley.toml",
 CAROTID = {"as shipped": dataclasses.replace(make_run("carotid", "cases/carotid.toml"),
                                              coarse=("grid.cells=[150,15,15]",))}
 
+
+def collapse(mode, **settings):
+    """A shipped tube that collapses, with one thing or another changed."""
+    label = "".join(f"-{value}" for value in settings.values())
+    run = make_run(f"collapse{mode}{label}", f"cases/collapse_mode{mode}.toml", **settings)
+    return dataclasses.replace(run, coarse=("grid.spacing=0.25", "vessel.rigid_outlet=0.5",
+                                            "grid.width_z=4"))
+
+
+MODES = {n: collapse(n) for n in (2, 3, 4, 5, 6, 8)}
+
+# On coarse grids, and in boxes that hold the two lobes, which lie along y.
+TWO_LOBES = dict(vessel__rigid_outlet=0.44, grid__spacing=0.22, grid__width_y=4.4,
+                 grid__width_z=3.4)
+COLLAPSE_LAWS = {"Hooke, nu = 0.5": collapse(2, **TWO_LOBES),
+                 "neo-Hookean": collapse(2, wall__law="neo-hookean", **TWO_LOBES),
+                 "Skalak, C = 1": collapse(2, wall__law="skalak", **TWO_LOBES)}
+
+# At Re = 50 the tube swings before it rests.
+COLLAPSE_INERTIA = {(n, Re): collapse(n, fluid__reynolds=Re, grid__spacing=spacing,
+                                      grid__width_y=3.8, grid__width_z=3.8,
+                                      **(dict(stop__end_time=200) if Re == 50 else {}))
+                    for n, numbers, spacing in ((3, (0.1, 10, 20), 0.2), (4, (0.1, 10, 50), 0.17))
+                    for Re in numbers}
+
+TUBE_LAW = dataclasses.replace(make_run("tube-law", "cases/tube_law.toml"),
+                               coarse=("grid.spacing=0.25",))
+
+# The coarser grid needs more room beside the tube.
+RESISTOR = {d: dataclasses.replace(make_run(f"resistor-d{d}", "cases/starling_resistor.toml",
+                                            grid__spacing=d, **width),
+                                   coarse=("grid.spacing=0.25", "grid.width_z=4"))
+            for d, width in ((0.25, dict(grid__width_z=3.6)), (0.2, {}))}
+
 FILTERS = {(ratio, d, s): inflation(ratio, spacing=d, end_time=16, tolerance=1e-12,
                                     wall__mesh_filter=s)
            for d, strengths in ((0.13, (0, 1, 2, 4)), (0.1, (2, 4))) for ratio in (1, 3)

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "config/read_case.hpp"
+#include "config/shipped_cases.hpp"
 #include "simulation/simulation.hpp"
 #include "theory/buckling_report.hpp"
 
@@ -50,6 +52,18 @@ TEST(Buckling, SetsInAtTheLoadOfLinearTheory)
     EXPECT_GT(above, 0);
     const Real onset = 0.85 - 0.3 * below / (above - below);
     EXPECT_NEAR(onset, 1, 0.05);
+}
+
+TEST(Buckling, TheoryNamesTheModeOfEachShippedCase)
+{
+    for (const int n : {2, 3, 4, 5, 6, 8}) {
+        const std::string name = "collapse_mode" + std::to_string(n);
+        const Case c = read_case_text(shipped_case(name).text, name);
+        const auto theory = buckling_report({c.tube, c.material, c.fluid, c.drive});
+        EXPECT_EQ(theory->under_own_pressure->n, n);
+        EXPECT_LT(theory->under_own_pressure->factor, 1) << name;
+        EXPECT_EQ(c.perturbation.mode, n);
+    }
 }
 
 } // namespace
