@@ -124,7 +124,7 @@ void theory_command(const CommandLine& line)
     const Case c = read_case(line.case_file, line.overrides);
     const TubeProblem problem{c.tube, c.material, c.fluid, c.drive};
     if (!line.csv.empty()) {
-        if (!gives_steady_pressures(c.drive) && line.csv != "waves")
+        if (!gives_steady_pressures(c.drive) && line.csv == "profile")
             throw InputError("--csv: the models are of steady pressures at both ends, which this "
                              "case does not give");
         fmt::print("{}", theory_table(line.csv, problem, c));
