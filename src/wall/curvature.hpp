@@ -26,7 +26,10 @@ struct Curvatures {
 /// The vertices around each vertex of a range, one after another.
 class OneRings {
 public:
-    /// Throws std::invalid_argument if a vertex of the range lies on the mesh's boundary.
+    static constexpr std::size_t most = 16; ///< neighbours of a vertex
+
+    /// Throws std::invalid_argument if a vertex of the range lies on the mesh's boundary or has
+    /// more neighbours than that.
     OneRings(const WallMesh& mesh, VertexRange range);
 
     const VertexRange& range() const { return range_; }
@@ -82,6 +85,7 @@ private:
     const WallMesh* mesh_;
     VertexRange range_, gradient_range_;
     Array<Vec3> gradient_;
+    Array<Real> element_size_; ///< area of each element
 };
 
 } // namespace starling

@@ -10,7 +10,7 @@ ReferenceElement make_reference(const Vec3& edge_b, const Vec3& edge_c)
     const Real b = norm(edge_b);
     const Vec3 e1 = (1 / b) * edge_b;
     const Real c1 = dot(edge_c, e1), c2 = norm(edge_c - c1 * e1);
-    return {1 / b, -c1 / (b * c2), 0, 1 / c2, b * c2 / 2};
+    return {1 / b, -c1 / (b * c2), 1 / c2, b * c2 / 2};
 }
 
 } // namespace

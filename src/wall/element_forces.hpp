@@ -8,7 +8,7 @@ namespace starling {
 
 /// The undeformed triangle: inverse edge matrix and area.
 struct ReferenceElement {
-    Real m11, m12, m21, m22; ///< inverse of [X_b - X_a, X_c - X_a] in the element's plane
+    Real m11, m12, m22; ///< inverse of [X_b - X_a, X_c - X_a] in axes along X_b - X_a; m21 = 0
     Real area;
 };
 
@@ -24,8 +24,8 @@ struct SurfaceDeformation {
     Real G11, G12, G22;
 
     SurfaceDeformation(const ReferenceElement& r, const Vec3& edge_b, const Vec3& edge_c)
-        : a1(r.m11 * edge_b + r.m21 * edge_c), a2(r.m12 * edge_b + r.m22 * edge_c),
-          G11(dot(a1, a1)), G12(dot(a1, a2)), G22(dot(a2, a2))
+        : a1(r.m11 * edge_b), a2(r.m12 * edge_b + r.m22 * edge_c), G11(dot(a1, a1)),
+          G12(dot(a1, a2)), G22(dot(a2, a2))
     {
     }
     /// Squares of the principal stretches, the larger first. (14)
@@ -61,7 +61,7 @@ public:
     template <class Stress>
     void compute(const Array<Vec3>& x, Stress stress)
     {
-        std::array<Vec3, 3>* force = corner_force_.data();
+        std::array<Vec3, 2>* force = corner_force_.data();
         for_range(begin_, end_, [this, &x, force, stress](Index n) {
             const auto e = static_cast<ElementIndex>(n);
             const SurfaceDeformation d = deformation(x, e);
@@ -71,8 +71,7 @@ public:
             const Vec3 P1 = r.area * (S.s11 * d.a1 + S.s12 * d.a2);
             const Vec3 P2 = r.area * (S.s12 * d.a1 + S.s22 * d.a2);
             // f_i = -P . grad H_i: the fluid feels -dW/dx (15)
-            const Vec3 f_b = -(r.m11 * P1 + r.m12 * P2), f_c = -(r.m21 * P1 + r.m22 * P2);
-            force[n] = {-(f_b + f_c), f_b, f_c};
+            force[n] = {-(r.m11 * P1 + r.m12 * P2), -(r.m22 * P2)};
         });
     }
 
@@ -86,18 +85,23 @@ private:
     {
         return reference_[static_cast<std::size_t>(e)];
     }
+    Vec3 corner_force(const Corner& c) const
+    {
+        const auto& [f_b, f_c] = corner_force_[c.element];
+        return c.corner == 0 ? -(f_b + f_c) : c.corner == 1 ? f_b : f_c;
+    }
     Vec3 sum_at(VertexIndex v) const
     {
         Vec3 sum;
         for (const Corner* c = mesh_->corners_begin(v); c != mesh_->corners_end(v); ++c)
-            sum += corner_force_[c->element][static_cast<std::size_t>(c->corner)];
+            sum += corner_force(*c);
         return sum;
     }
 
     const WallMesh* mesh_;
     ElementIndex begin_, end_;
     std::vector<ReferenceElement> reference_;
-    Array<std::array<Vec3, 3>> corner_force_;
+    Array<std::array<Vec3, 2>> corner_force_; ///< on the second and third; the first balances
 };
 
 } // namespace starling
