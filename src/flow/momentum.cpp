@@ -202,9 +202,13 @@ void Momentum::x_solve_and_add(ScalarField& u_field, ScalarField& increment,
     lines_.for_chunks(columns, [=](Index begin, Index width, Real* scratch) {
         Real *u = u_0 + begin, *delta = delta_0 + begin;
         const std::uint8_t* mask = mask_0 + begin;
+        const auto clear = [=](Index i) { std::fill_n(delta + i * stride, width, Real{0}); };
+        // the increments of a plane serve the plane before once more
         const auto add = [=](Index i) {
 #pragma omp simd
             for (Index k = 0; k < width; ++k) u[i * stride + k] += delta[i * stride + k];
+            if (i + 1 < planes) clear(i + 1);
+            if (i == 0) clear(0);
         };
         if (chunk_is_free[begin / XLines::chunk])
             free_line->solve(delta, stride, width, add);

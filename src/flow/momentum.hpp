@@ -19,8 +19,8 @@ public:
     Momentum(const Grid& g, const FluidParameters& p);
 
     /// Advances s.u from u^n to u_hat (valid halos) and s.N_before to N^n. `rhs` comes in as the
-    /// body force F at the faces and is used as work space. Prescribed nodes take their value.
-    /// Needs valid halos of s.u and s.P.
+    /// body force F at the faces, is used as work space and left zero, ready for the next force.
+    /// Prescribed nodes take their value. Needs valid halos of s.u and s.P.
     void predict(FluidState& s, VectorField& rhs, const PrescribedVelocity& prescribed, Real dt);
 
 private:

@@ -97,7 +97,7 @@ void Coupling::spread(Array<Vec3>& f, VectorField& F)
 void Coupling::complete_pressure_force(const GhostStates& ghosts, const ScalarField& P,
                                        VectorField& F)
 {
-    pressure_force_.complete(ghosts[0], P, F[Location::u]);
+    pressure_force_.complete(ghosts[0], ghosts_[0].place(), P, F[Location::u]);
 }
 
 PrescribedVelocity Coupling::no_slip(const VectorField& u)

@@ -30,7 +30,7 @@ public:
     /// Image points and weights of the ghost nodes.
     void place_images(const GhostStates& ghosts);
 
-    /// F = force of the wall on the fluid at the faces; f comes in as a force on each vertex and
+    /// F += force of the wall on the fluid at the faces; f comes in as a force on each vertex and
     /// leaves with the axial reaction. (28)
     void spread(Array<Vec3>& f, VectorField& F);
 

@@ -8,6 +8,13 @@ namespace starling {
 struct Stencil4 {
     std::int32_t first = 0;
     std::array<Real, 4> weight{};
+
+    /// Weight of any node.
+    constexpr Real at(Index node) const
+    {
+        return node < first || node > first + 3 ? 0
+                                                : weight[static_cast<std::size_t>(node - first)];
+    }
 };
 
 enum class Kernel {

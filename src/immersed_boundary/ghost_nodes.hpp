@@ -56,6 +56,9 @@ public:
     /// View for the momentum step; valid until the next update.
     PrescribedNodes prescribed() const;
 
+    /// Where in `near_wall` each of its nodes stands, since the last search; meaningless elsewhere.
+    View<const std::int32_t> place() const { return index_.view(); }
+
     /// Ghost nodes, without the nodes at rest.
     Index count() const { return ghost_begin_.back(); }
 
@@ -100,7 +103,7 @@ private:
     Box nodes_;
 
     Field<std::uint8_t> mask_;
-    Field<std::int32_t> index_; ///< position of a node in near_wall
+    Field<std::int32_t> index_; ///< position of a node in near_wall; empty without active planes
     std::vector<char> flags_;   ///< per node of near_wall
     std::vector<NearNode*> found_;
     std::vector<NearNode> turned_, candidates_;

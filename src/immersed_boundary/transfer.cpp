@@ -1,27 +1,29 @@
 #include "immersed_boundary/transfer.hpp"
 
+#include "core/pack.hpp"
+
 namespace starling {
 
 namespace {
 
-template <std::size_t n>
-using Width = std::integral_constant<std::size_t, n>;
-
-/// Calls f with the number of nodes in y and z that can have weight for component c.
+/// Calls f with the number of rows along y that can have weight for component c, and with whether
+/// weights are sharpened, both as types.
 template <class F>
-void with_widths(const KernelPair& kernels, Location c, F f)
+void with_shape(const KernelPair& kernels, Location c, F f)
 {
-    const auto call = [&](auto along, auto across) {
-        switch (c) {
-        case Location::u: return f(across, across);
-        case Location::v: return f(along, across);
-        default: return f(across, along);
-        }
+    using Three = std::integral_constant<std::size_t, 3>;
+    using Four = std::integral_constant<std::size_t, 4>;
+    const bool three = node_count(c == Location::v ? kernels.along : kernels.across) == 3;
+    const auto call = [&](auto rows) {
+        if (kernels.sharpening == 0)
+            f(rows, std::false_type{});
+        else
+            f(rows, std::true_type{});
     };
-    if (node_count(kernels.across) == 3)
-        call(Width<4>{}, Width<3>{});
+    if (three)
+        call(Three{});
     else
-        call(Width<4>{}, Width<4>{});
+        call(Four{});
 }
 
 Real Vec3::*component_of_vector(Location c)
@@ -45,34 +47,40 @@ Stencil4 fold_at_ends(const Stencil4& s, Index last, std::size_t count, bool cel
     return folded;
 }
 
-/// Copies to the halos of the end planes their mirror images, in the rows of the box.
-void mirror_at_ends(const Grid& g, Location c, const Box& b, View<Real> f)
-{
-    const Index image = c == Location::u ? 1 : 0, last = g.unknowns(c).end[0] - 1;
-    for (Index j = b.begin[1]; j < b.end[1]; ++j)
-        for (Index k = b.begin[2]; k < b.end[2]; ++k) {
-            f(-1, j, k) = f(image, j, k);
-            f(last + 1, j, k) = f(last - image, j, k);
-        }
-}
+/// The factors of a vertex's weights along one direction, node by node: D, with one node without
+/// weight on both sides, and T = -a delta^2 D, which is what sharpening adds.
+struct Factors {
+    Pack8 D{}, T{};
 
-/// Zeros in the rows of plane i, and in the halos between them.
-void clear_plane(const Box& b, Index i, View<Real> f)
-{
-    std::fill(&f(i, b.begin[1], b.begin[2]), &f(i, b.end[1] - 1, b.end[2]), 0);
-}
-
-/// to = S from in plane i of the box.
-void sharpen_plane(Real a, const Box& b, Index i, View<const Real> from, View<Real> to)
-{
-    const Real centre = 1 + 6 * a;
-    for (Index j = b.begin[1]; j < b.end[1]; ++j) {
-#pragma omp simd
-        for (Index k = b.begin[2]; k < b.end[2]; ++k)
-            to(i, j, k) = centre * from(i, j, k) -
-                          a * (from(i - 1, j, k) + from(i + 1, j, k) + from(i, j - 1, k) +
-                               from(i, j + 1, k) + from(i, j, k - 1) + from(i, j, k + 1));
+    Factors(const Stencil4& s, Real a)
+    {
+        const Pack4 none{}, w = load4(s.weight.data());
+        D = __builtin_shufflevector(none, w, 0, 4, 5, 6, 7, 0, 0, 0);
+        const Pack8 before = __builtin_shufflevector(none, w, 0, 0, 4, 5, 6, 7, 0, 0);
+        const Pack8 after = __builtin_shufflevector(none, w, 4, 5, 6, 7, 0, 0, 0, 0);
+        T = a * (2 * D - before - after);
     }
+};
+
+/// Calls f(m, p, q) for rows m = 0, ... of a plane, the first of them one before that of the
+/// stencil: the weights of its nodes are p D_z + q T_z. `ny` rows have weight before sharpening.
+template <std::size_t ny, bool sharp, class F>
+void for_rows(Real D_x, Real sharp_x, const Factors& y, F f)
+{
+    constexpr int inner_end = static_cast<int>(ny) + 1;
+    if (!sharp || D_x == 0) {
+        for (int m = 1; m < inner_end; ++m) f(m, sharp_x * y.D[m], Real{0});
+        return;
+    }
+    for (int m = 0; m <= inner_end; ++m) f(m, sharp_x * y.D[m] + D_x * y.T[m], D_x * y.D[m]);
+}
+
+/// Asks for the rows of some planes that a stencil would reach.
+template <class T>
+void prefetch_rows(View<T> f, Index begin, Index end, const Stencil4& y, const Stencil4& z)
+{
+    for (Index i = begin; i < end; ++i)
+        for (Index m = -1; m <= 4; ++m) prefetch_stencil(&f(i, y.first + m, z.first - 1), 6);
 }
 
 } // namespace
@@ -81,44 +89,60 @@ Transfer::Transfer(const Grid& g, const Tube& tube, KernelPair kernels, RingRang
     : grid_(g), tube_(&tube), kernels_(kernels),
       acting_(acting), y_{Array<Stencil4>(static_cast<Index>(tube.X.size())),
                           Array<Stencil4>(static_cast<Index>(tube.X.size()))},
-      z_(y_), scratch_(g)
+      z_(y_)
 {
     const Real h = g.spacing().x;
-    for (Real x : tube.ring_x)
-        ring_stencils_.push_back(
-            {fold_at_ends(delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
-                          g.nx() - 1, node_count(kernels.across), true),
-             fold_at_ends(delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h), g.nx(),
-                          node_count(kernels.along), false)});
-    reached_.begin[0] = reached_.end[0] = 0;
-    if (acting.begin < acting.end) {
-        reached_.begin[0] = stencil_x(Location::cell, acting.begin).first;
-        reached_.end[0] = stencil_x(Location::u, acting.end - 1).first + 4;
+    for (Real x : tube.ring_x) {
+        const Stencil4 cells =
+            fold_at_ends(delta_weights(kernels.across, (x - g.x(Location::cell, 0)) / h),
+                         g.nx() - 1, node_count(kernels.across), true);
+        const Stencil4 faces =
+            fold_at_ends(delta_weights(kernels.along, (x - g.x(Location::u, 0)) / h), g.nx(),
+                         node_count(kernels.along), false);
+        at_cells_.push_back(plane_weights(cells, g.nx() - 1, 0));
+        at_faces_.push_back(plane_weights(faces, g.nx(), 1));
     }
 }
 
-const Stencil4& Transfer::stencil_x(Location c, Index ring) const
+// `image`: the plane whose values the halo of the first plane holds.
+Transfer::PlaneWeights Transfer::plane_weights(const Stencil4& s, Index last, Index image) const
 {
-    const RingStencils& s = ring_stencils_[static_cast<std::size_t>(ring)];
-    return c == Location::u ? s.x_face : s.x_cell;
+    const Factors x(s, kernels_.sharpening);
+    PlaneWeights w{s.first - 1, {}, {}, {}};
+    for (int l = 0; l < planes; ++l) {
+        const auto n = static_cast<std::size_t>(l);
+        w.blunt[n] = x.D[l];
+        w.interpolate[n] = w.spread[n] = x.D[l] + x.T[l];
+        // what is spread is sharpened with mirror images in the halos
+        const Index plane = w.first + l;
+        if (plane == 0) w.spread[n] -= kernels_.sharpening * s.at(image);
+        if (plane == last) w.spread[n] -= kernels_.sharpening * s.at(last - image);
+    }
+    return w;
 }
 
-Transfer::Extent Transfer::extent(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
-                                  Index cells) const
+const Transfer::PlaneWeights& Transfer::weights_x(Location c, Index ring) const
+{
+    return (c == Location::u ? at_faces_ : at_cells_)[static_cast<std::size_t>(ring)];
+}
+
+Index Transfer::end_of_next_ring(Location c, Index ring) const
+{
+    return weights_x(c, std::min(ring + 1, acting_.end - 1)).first + planes;
+}
+
+bool Transfer::fits(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
+                    Index cells) const
 {
     const Vec3* position = x.data();
     const Real inverse = 1 / h, top = static_cast<Real>(cells - 2);
-    Real low = top, high = 2;
     Index bad = 0;
-#pragma omp parallel for schedule(static) reduction(+ : bad) reduction(min : low) \
-    reduction(max : high)
+#pragma omp parallel for schedule(static) reduction(+ : bad)
     for (Index v = tube_->first(acting_.begin); v < tube_->first(acting_.end); ++v) {
         const Real s = (position[v].*coordinate - origin) * inverse;
         bad += !(s > 2 && s < top);
-        low = std::min(low, s);
-        high = std::max(high, s);
     }
-    return {low, high, bad == 0};
+    return bad == 0;
 }
 
 void Transfer::weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
@@ -137,62 +161,26 @@ void Transfer::weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, 
 
 bool Transfer::update(const Array<Vec3>& x)
 {
-    if (acting_.begin == acting_.end) return true; // reaches no node
     const Vec3 h = grid_.spacing(), origin = grid_.origin();
-    const Extent y = extent(x, &Vec3::y, origin.y, h.y, grid_.ny());
-    const Extent z = extent(x, &Vec3::z, origin.z, h.z, grid_.nz());
-    if (!y.inside || !z.inside) return false;
+    if (!fits(x, &Vec3::y, origin.y, h.y, grid_.ny())) return false;
+    if (!fits(x, &Vec3::z, origin.z, h.z, grid_.nz())) return false;
     weigh(x, &Vec3::y, origin.y, h.y, y_);
     weigh(x, &Vec3::z, origin.z, h.z, z_);
-    const auto first = [&](Real s) { return delta_weights(kernels_.across, s - 0.5).first; };
-    const auto last = [&](Real s) { return delta_weights(kernels_.along, s).first; };
-    reached_.begin = {reached_.begin[0], first(y.low), first(z.low)};
-    reached_.end = {reached_.end[0], last(y.high) + 4, last(z.high) + 4};
     return true;
-}
-
-Box Transfer::support(Location c, Index margin) const
-{
-    const Box all = grid_.unknowns(c);
-    Box b = reached_;
-    for (std::size_t d = 0; d < 3; ++d) {
-        b.begin[d] = std::max(b.begin[d] - margin, all.begin[d]);
-        b.end[d] = std::min(b.end[d] + margin, all.end[d]);
-    }
-    return b;
-}
-
-void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F)
-{
-    const View<Real> out = F.view(), blunt = scratch_.view();
-    const Box all = grid_.unknowns(c);
-    if (kernels_.sharpening == 0) return gather(c, f, all, out);
-    const Box b = support(c, 1);
-    // one node more than the box: what is sharpened reads its neighbours
-    const Box around = {{b.begin[0] - 1, b.begin[1] - 1, b.begin[2] - 1},
-                        {b.end[0] + 1, b.end[1] + 1, b.end[2] + 1}};
-    gather(c, f, around, blunt);
-    mirror_at_ends(grid_, c, around, blunt);
-    const Real a = kernels_.sharpening;
-    for_planes(all.begin[0], all.end[0], [=](Index i) {
-        clear_plane(all, i, out);
-        if (i >= b.begin[0] && i < b.end[0]) sharpen_plane(a, b, i, blunt, out);
-    });
 }
 
 // Each thread has some planes and visits the rings in their reach once: vertex after vertex it adds
 // to all of its planes, so that sums do not wait for what was just stored.
-void Transfer::gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const
+void Transfer::spread(Location c, const Array<Vec3>& f, ScalarField& F_field) const
 {
-    const Index blocks = max_threads(), planes = b.end[0] - b.begin[0];
-    for_planes(0, blocks, [=, this, &f, &b](Index block) {
-        const Index first = b.begin[0] + planes * block / blocks;
-        const Index last = b.begin[0] + planes * (block + 1) / blocks;
-        for (Index i = first; i < last; ++i) clear_plane(b, i, F);
+    const View<Real> F = F_field.view();
+    const Index blocks = max_threads(), unknown_planes = grid_.unknowns(c).end[0];
+    for_planes(0, blocks, [=, this, &f](Index block) {
+        const Index first = unknown_planes * block / blocks;
+        const Index last = unknown_planes * (block + 1) / blocks;
         for (Index ring = acting_.begin; ring < acting_.end; ++ring) {
-            const Index x_first = stencil_x(c, ring).first;
-            const Index begin = std::max<Index>({first, 0, x_first});
-            const Index end = std::min({last, grid_.nx() + 1, x_first + 4});
+            const Index reached = weights_x(c, ring).first;
+            const Index begin = std::max(first, reached), end = std::min(last, reached + planes);
             if (begin < end) add_ring(c, ring, f, begin, end, F);
         }
     });
@@ -201,55 +189,57 @@ void Transfer::gather(Location c, const Array<Vec3>& f, const Box& b, View<Real>
 void Transfer::add_ring(Location c, Index ring, const Array<Vec3>& f, Index begin, Index end,
                         View<Real> F) const
 {
-    const Real inv_volume = 1 / grid_.cell_volume();
-    const Stencil4& x = stencil_x(c, ring);
-    std::array<Real, 4> weight_x;
-    for (std::size_t l = 0; l < 4; ++l) weight_x[l] = inv_volume * x.weight[l];
+    const Real inv_volume = 1 / grid_.cell_volume(), a = kernels_.sharpening;
+    const PlaneWeights& x = weights_x(c, ring);
     const auto component = component_of_vector(c);
-    with_widths(kernels_, c, [&](auto ny, auto) {
+    const Index next_end = end == x.first + planes ? end_of_next_ring(c, ring) : end;
+    with_shape(kernels_, c, [&](auto ny, auto sharp) {
         for (VertexIndex v = tube_->first(ring); v < tube_->first(ring + 1); ++v) {
-            const Stencil4 y = stencils_y(c)[v], z = stencils_z(c)[v];
-            const Real force = f[v].*component;
+            const Stencil4 &s_y = stencils_y(c)[v], &s_z = stencils_z(c)[v];
+            prefetch_rows(F, end, next_end, s_y, s_z);
+            const Factors y(s_y, a), z(s_z, a);
+            const Real force = inv_volume * (f[v].*component);
+            const Pack8 D_z = force * z.D, T_z = force * z.T;
             for (Index i = begin; i < end; ++i) {
-                const Real plane_force = weight_x[static_cast<std::size_t>(i - x.first)] * force;
-                Real* row = &F(i, y.first, z.first);
-                for (std::size_t m = 0; m < ny; ++m, row += F.stride_y) {
-                    const Real row_force = plane_force * y.weight[m];
-                    for (std::size_t n = 0; n < 4; ++n) row[n] += row_force * z.weight[n];
-                }
+                const auto l = static_cast<std::size_t>(i - x.first);
+                if (x.spread[l] == 0) continue;
+                Real* first = &F(i, s_y.first - 1, s_z.first - 1);
+                for_rows<ny, sharp>(x.blunt[l], x.spread[l], y, [&](int m, Real p, Real q) {
+                    Real* row = first + m * F.stride_y;
+                    store8(load8(row) + (p * D_z + q * T_z), row);
+                });
             }
         }
     });
 }
 
-void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity)
+void Transfer::interpolate(Location c, const ScalarField& u_field, Array<Vec3>& velocity) const
 {
-    View<const Real> u = u_field.view();
-    if (kernels_.sharpening != 0) {
-        const View<Real> sharp = scratch_.view();
-        const Box b = support(c, 0);
-        const Real a = kernels_.sharpening;
-        for_planes(b.begin[0], b.end[0], [=](Index i) { sharpen_plane(a, b, i, u, sharp); });
-        u = sharp;
-    }
+    const View<const Real> u = u_field.view();
+    const Real a = kernels_.sharpening;
     const auto component = component_of_vector(c);
     Vec3* out = velocity.data();
-    const std::size_t nx = node_count(c == Location::u ? kernels_.along : kernels_.across);
-    with_widths(kernels_, c, [&](auto ny, auto nz) {
+    with_shape(kernels_, c, [&](auto ny, auto sharp) {
         for_range(tube_->first(acting_.begin), tube_->first(acting_.end), [=, this](Index v) {
-            const Stencil4& x = stencil_x(c, v / tube_->ring_size);
-            const Stencil4 &y = stencils_y(c)[v], &z = stencils_z(c)[v];
-            Real sum = 0;
-            for (std::size_t l = 0; l < nx; ++l) {
-                Real plane = 0;
-                const Real* row = &u(x.first + static_cast<Index>(l), y.first, z.first);
-                for (std::size_t m = 0; m < ny; ++m, row += u.stride_y) {
-                    Real line = 0;
-                    for (std::size_t n = 0; n < nz; ++n) line += z.weight[n] * row[n];
-                    plane += y.weight[m] * line;
-                }
-                sum += x.weight[l] * plane;
+            const Index ring = v / tube_->ring_size;
+            const PlaneWeights& x = weights_x(c, ring);
+            const Stencil4 &s_y = stencils_y(c)[v], &s_z = stencils_z(c)[v];
+            prefetch_rows(u, x.first + planes, end_of_next_ring(c, ring), s_y, s_z);
+            const Factors y(s_y, a), z(s_z, a);
+            Pack8 with_D{}, with_T{};
+            for (std::size_t l = 0; l < planes; ++l) {
+                if (x.interpolate[l] == 0) continue;
+                const Real* first =
+                    &u(x.first + static_cast<Index>(l), s_y.first - 1, s_z.first - 1);
+                for_rows<ny, sharp>(x.blunt[l], x.interpolate[l], y, [&](int m, Real p, Real q) {
+                    const Pack8 row = load8(first + m * u.stride_y);
+                    with_D += p * row;
+                    with_T += q * row;
+                });
             }
+            const Pack8 terms = with_D * z.D + with_T * z.T;
+            Real sum = 0;
+            for (int n = 0; n < 6; ++n) sum += terms[n];
             out[v].*component = sum;
         });
     });

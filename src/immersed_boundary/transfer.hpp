@@ -27,35 +27,34 @@ public:
     /// vertex is not finite or too close to the side of the box.
     bool update(const Array<Vec3>& x);
 
-    /// F = force density at the faces of component c: sum of f_c D. f is a force per vertex.
-    void spread(Location c, const Array<Vec3>& f, ScalarField& F);
+    /// F += force density at the faces of component c: sum of f_c D. f is a force per vertex.
+    void spread(Location c, const Array<Vec3>& f, ScalarField& F) const;
 
-    /// Component c of `velocity` at every vertex of the acting rings = sum of u_c D h^3.
-    void interpolate(Location c, const ScalarField& u, Array<Vec3>& velocity);
+    /// Component c of `velocity` at every vertex of the acting rings = sum of u_c D h^3. Needs
+    /// valid halos of u.
+    void interpolate(Location c, const ScalarField& u, Array<Vec3>& velocity) const;
 
 private:
     /// Weights of all vertices along one direction: for components along it and across it.
     struct Stencils {
         Array<Stencil4> along, across;
     };
-    struct RingStencils {
-        Stencil4 x_cell, x_face;
+    static constexpr int planes = 6; ///< that the weights of a ring reach at most
+    /// Factors along x of the weights of a ring: D, and S D in either direction.
+    struct PlaneWeights {
+        Index first = 0; ///< plane of the first one
+        std::array<Real, planes> blunt{}, spread{}, interpolate{};
     };
-    /// Smallest and largest coordinate of the vertices that spread, in spacings from the side of
-    /// the box; `inside` unless one is not finite or too close to a side.
-    struct Extent {
-        Real low, high;
-        bool inside;
-    };
-    Extent extent(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h,
-                  Index cells) const;
+    PlaneWeights plane_weights(const Stencil4& s, Index last, Index image) const;
+    const PlaneWeights& weights_x(Location c, Index ring) const;
+    /// The plane after those that the next ring reaches.
+    Index end_of_next_ring(Location c, Index ring) const;
+    /// Whether all vertices that act are finite and away from the sides of the box.
+    bool fits(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h, Index cells) const;
     void weigh(const Array<Vec3>& x, Real Vec3::*coordinate, Real origin, Real h, Stencils& s);
-    void gather(Location c, const Array<Vec3>& f, const Box& b, View<Real> F) const;
     /// Adds the forces of a ring to the planes begin <= i < end, all within its reach.
     void add_ring(Location c, Index ring, const Array<Vec3>& f, Index begin, Index end,
                   View<Real> F) const;
-    Box support(Location c, Index margin) const;
-    const Stencil4& stencil_x(Location c, Index ring) const;
     const Stencil4* stencils_y(Location c) const
     {
         return c == Location::v ? y_.along.data() : y_.across.data();
@@ -69,10 +68,8 @@ private:
     const Tube* tube_;
     KernelPair kernels_;
     RingRange acting_;
-    std::vector<RingStencils> ring_stencils_; ///< x never changes: computed once
+    std::vector<PlaneWeights> at_cells_, at_faces_; ///< of each ring: x never changes
     Stencils y_, z_;
-    Box reached_;         ///< nodes of any component that some stencil reaches
-    ScalarField scratch_; ///< what is to be sharpened, or has been; zero halos
 };
 
 } // namespace starling

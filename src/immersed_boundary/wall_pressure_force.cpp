@@ -1,30 +1,35 @@
 #include "immersed_boundary/wall_pressure_force.hpp"
 
+#include "core/pack.hpp"
 #include "immersed_boundary/bracket.hpp"
 
 namespace starling {
 
-WallPressureForce::WallPressureForce(const Grid& g, Real depth)
-    : grid_(g), depth_(depth), beyond_(g)
-{
-}
+WallPressureForce::WallPressureForce(const Grid& g, Real depth) : grid_(g), depth_(depth) {}
 
-void WallPressureForce::complete(const GhostState& ghosts, const ScalarField& P,
-                                 ScalarField& F_field)
+void WallPressureForce::complete(const GhostState& ghosts, View<const std::int32_t> place,
+                                 const ScalarField& P, ScalarField& F_field)
 {
     if (depth_ <= 0) return;
-    const View<Real> F = F_field.view(), beyond = beyond_.view();
-    const Probe s{ghosts.inside.view(), P.view(), F};
+    const View<Real> F = F_field.view();
+    const Probe s{ghosts.inside.view(), place, P.view(), F};
     const NearNode* nodes = ghosts.near_wall.data();
     const auto count = static_cast<Index>(ghosts.near_wall.size());
-    missing_.resize(ghosts.near_wall.size());
-    Real* missing = missing_.data();
+    gradient_.resize(ghosts.near_wall.size());
+    Real* gradient = gradient_.data();
     for_range(0, count, [=, this](Index m) {
         const NearNode& n = nodes[m];
-        if (!s.inside(n.i, n.j, n.k)) beyond(n.i, n.j, n.k) = gradient_beyond(s, n);
+        if (!s.inside(n.i, n.j, n.k))
+            gradient[m] = gradient_beyond(s, n);
+        else
+            gradient[m] = acts_on(n) ? net_gradient(s, n.i, n.j, n.k) : none;
     });
-    for_range(0, count, [=, this](Index m) { missing[m] = missing_force(s, nodes[m]); });
-    for_range(0, count, [=](Index m) { F(nodes[m].i, nodes[m].j, nodes[m].k) += missing[m]; });
+    for_range(0, count, [=, this](Index m) {
+        const NearNode& n = nodes[m];
+        if (!s.inside(n.i, n.j, n.k) || !acts_on(n)) return;
+        const Real mean = mean_beyond(s, n);
+        if (mean != none) F(n.i, n.j, n.k) += gradient[m] - mean;
+    });
 }
 
 bool WallPressureForce::acts_on(const NearNode& n) const { return n.i > 0 && n.i < grid_.nx(); }
@@ -47,6 +52,10 @@ Real WallPressureForce::gradient_beyond(const Probe& s, const NearNode& ghost) c
     if (!s.inside(std::clamp<Index>(std::lround(opposite.x / h.x), 0, grid_.nx()),
                   std::lround(opposite.y / h.y), std::lround(opposite.z / h.z)))
         return none;
+    for (Index row = j; row <= j + 1; ++row) {
+        prefetch_stencil(&s.P(i + 2, row, k), 2);
+        prefetch_stencil(&s.F(i + 2, row, k), 2);
+    }
     Real sum = 0;
     for (Index l = 0; l < 8; ++l) {
         const Index di = l / 4, dj = l / 2 % 2, dk = l % 2;
@@ -58,14 +67,14 @@ Real WallPressureForce::gradient_beyond(const Probe& s, const NearNode& ghost) c
     return sum;
 }
 
-Real WallPressureForce::missing_force(const Probe& s, const NearNode& n) const
+Real WallPressureForce::mean_beyond(const Probe& s, const NearNode& n) const
 {
-    if (!s.inside(n.i, n.j, n.k) || !acts_on(n)) return 0;
-    const auto beyond = beyond_.view();
     Real sum = 0, found = 0;
     const auto look_at = [&](Index i, Index j, Index k) {
-        if (s.inside(i, j, k) || i < 0 || i > grid_.nx() || beyond(i, j, k) == none) return;
-        sum += beyond(i, j, k);
+        if (i < 0 || i > grid_.nx() || s.inside(i, j, k)) return;
+        const Real beyond = gradient_[static_cast<std::size_t>(s.place(i, j, k))];
+        if (beyond == none) return;
+        sum += beyond;
         ++found;
     };
     look_at(n.i - 1, n.j, n.k);
@@ -74,7 +83,7 @@ Real WallPressureForce::missing_force(const Probe& s, const NearNode& n) const
     look_at(n.i, n.j + 1, n.k);
     look_at(n.i, n.j, n.k - 1);
     look_at(n.i, n.j, n.k + 1);
-    return found > 0 ? net_gradient(s, n.i, n.j, n.k) - sum / found : 0;
+    return found > 0 ? sum / found : none;
 }
 
 } // namespace starling

@@ -16,15 +16,18 @@ public:
     WallPressureForce(const Grid& g, Real depth);
 
     /// Makes room for so many near nodes as the ghosts have.
-    void initialise(const GhostState& ghosts) { missing_.reserve(ghosts.near_wall.capacity()); }
+    void initialise(const GhostState& ghosts) { gradient_.reserve(ghosts.near_wall.capacity()); }
 
     /// Makes dP/dx - F at the inside u-faces next to ghost nodes that of the flow farther inside,
     /// by changing F. Faces from whose ghosts no fluid is found (narrow channels) are left alone.
-    void complete(const GhostState& ghosts, const ScalarField& P, ScalarField& F);
+    /// `place` says where in the list of near nodes a node stands.
+    void complete(const GhostState& ghosts, View<const std::int32_t> place, const ScalarField& P,
+                  ScalarField& F);
 
 private:
     struct Probe {
         View<const std::uint8_t> inside;
+        View<const std::int32_t> place;
         View<const Real> P, F;
     };
     Real net_gradient(const Probe& s, Index i, Index j, Index k) const
@@ -33,13 +36,15 @@ private:
     }
     bool acts_on(const NearNode& n) const;
     Real gradient_beyond(const Probe& s, const NearNode& ghost) const;
-    Real missing_force(const Probe& s, const NearNode& n) const;
+    /// Mean over the ghosts beside an inside node; none without any.
+    Real mean_beyond(const Probe& s, const NearNode& n) const;
 
     static constexpr Real none = std::numeric_limits<Real>::max();
     Grid grid_;
     Real depth_;
-    ScalarField beyond_; ///< at ghost nodes: net gradient of the flow farther inside, or none
-    std::vector<Real> missing_; ///< per near node
+    /// Per near node the net gradient: its own inside, at ghosts that of the flow farther inside,
+    /// or none.
+    std::vector<Real> gradient_;
 };
 
 } // namespace starling

@@ -16,8 +16,8 @@ namespace starling {
 namespace {
 
 constexpr Real bytes_of_program = 40e6;
-constexpr Real bytes_per_cell = 295;
-constexpr Real bytes_per_vertex = 1400;
+constexpr Real bytes_per_cell = 275;
+constexpr Real bytes_per_vertex = 1300;
 constexpr Real change_over_window = 0.22; ///< 1 - exp(-1/4)
 
 void count_wall(RunEstimate& e, const Case& c, Real delta)

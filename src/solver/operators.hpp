@@ -76,7 +76,7 @@ struct Operators {
 /// Memory a step uses and forgets.
 struct Workspace {
     Array<Vec3> f; ///< force on each vertex
-    VectorField F; ///< force density at the faces, then right-hand side and increment
+    VectorField F; ///< force density at the faces, then increment; zero between the steps
     PhaseTimer timer{{"wall force", "element search", "ghost nodes", "spread", "momentum",
                       "pressure", "wall motion"}};
 

@@ -128,6 +128,17 @@ TEST_F(MomentumStep, FirstStepSolvesTheFactoredEquationsWithEulerAdvection)
         EXPECT_LT(residual(c, before, after, F, advection(before.u)), 1e-12) << axis(c);
 }
 
+TEST_F(MomentumStep, LeavesItsWorkSpaceZero)
+{
+    FluidState s = random_state(g, random);
+    VectorField work = random_force(g, random);
+    Momentum(g, fluid).predict(s, work, nothing.view(), dt);
+    for (Location c : components)
+        EXPECT_EQ(
+            largest(g.unknowns(c), [&](Index i, Index j, Index k) { return work[c](i, j, k); }), 0)
+            << axis(c);
+}
+
 TEST_F(MomentumStep, LaterStepsExtrapolateAdvectionToTheMiddleOfTheStep)
 {
     FluidState before = random_state(g, random);

