@@ -274,11 +274,14 @@ std::vector<KeyRule> numerical_keys()
 
         {"time", "step", step, "time step", Quantity::time, positive()},
         {"time", "safety", number, "factor on the automatic step", none, positive_to(2)},
+        {"time", "cycle_samples", integer, "samples of a cycle of the drive", none, closed(0, 1e4)},
 
         {"stop", "end_time", measure, "time to stop at", Quantity::time, positive()},
         {"stop", "steps", integer, "number of steps to stop at", none, closed(1, 1e9)},
         {"stop", "steady_tolerance", number, "relative change that counts as steady", none,
          positive_to(0.1)},
+        {"stop", "periodic_tolerance", number, "change from cycle to cycle that counts as none",
+         none, positive_to(0.5)},
         {"stop", "wall_clock", seconds, "real time to stop at", Quantity::time, positive()},
 
         {"output", "sample_every", integer, "steps between rows of series.csv", none,

@@ -264,11 +264,13 @@ void write_time(CaseWriter& w, const TimeParameters& time, const StopParameters&
     else
         w.text("step", "auto");
     w.number("safety", time.safety);
+    w.integer("cycle_samples", time.cycle_samples);
 
     w.section("stop");
     if (stop.end_time) w.measure("end_time", *stop.end_time, Quantity::time);
     if (stop.steps) w.integer("steps", *stop.steps);
     if (stop.steady_tolerance) w.number("steady_tolerance", *stop.steady_tolerance);
+    if (stop.periodic_tolerance) w.number("periodic_tolerance", *stop.periodic_tolerance);
     if (stop.wall_clock) w.number("wall_clock", *stop.wall_clock);
 }
 

@@ -37,6 +37,8 @@ std::string later_end(const Case& c, const std::string& reason, Index steps)
 {
     if (reason == "steady")
         return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
+    if (reason == "periodic")
+        return fmt::format("stop.periodic_tolerance={:g}", *c.stop.periodic_tolerance / 10);
     if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
     const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
     return c.scaling.si ? fmt::format("\"stop.end_time={:g} s\"", end)
@@ -47,7 +49,7 @@ std::string later_end(const Case& c, const std::string& reason, Index steps)
 class Run {
 public:
     Run(const Case& c, const RunDirectoryOptions& directory, RunObserver& observer)
-        : case_(c), observer_(observer), simulation_(c), files_(c, directory), stop_(c),
+        : case_(c), observer_(observer), simulation_(c), files_(c, directory), stop_(c), cycles_(c),
           theory_(theory_of(c))
     {
     }
@@ -65,6 +67,8 @@ public:
         simulation_.restore([&](State& s) { file.read(s); }, m.step_factor);
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
+        cycles_.go_on_from(m.cycles, simulation_.time());
+        stop_.look_at(cycles_);
         Moment at_rest = moment();
         at_rest.wall_seconds = 0; // counts from now
         stop_.check(at_rest);
@@ -121,7 +125,7 @@ private:
         attempt([&] { files_.checkpoint(simulation_, memory()); }); // before the extra row, frames
         if (files_.last_row() != simulation_.steps()) attempt([&] { take_sample(); });
         files_.finish(simulation_, attempt);
-        Summary result = summary(*stop_.reason(), stop_.steady());
+        Summary result = summary(*stop_.reason(), stop_.converged());
         attempt([&] { files_.summary(result); });
         if (!attempt.failures().empty())
             throw std::runtime_error(
@@ -171,20 +175,24 @@ private:
     Real target() const
     {
         const Real end = case_.stop.end_time.value_or(std::numeric_limits<Real>::infinity());
-        const Real frame = files_.next_frame();
-        return frame < end - closest_targets * simulation_.dt() ? frame : end;
+        const Real slack = closest_targets * simulation_.dt();
+        const Real of_cycle = cycles_.next(), frame = files_.next_frame();
+        const Real target = of_cycle < end - slack ? of_cycle : end;
+        return frame < target - slack ? frame : target;
     }
 
     void step()
     {
         simulation_.step(target());
         if (simulation_.steps() % case_.output.sample_every == 0) take_sample();
+        follow_cycle();
         files_.fields(simulation_);
         if (simulation_.good_step() == simulation_.steps()) good_memory_ = memory();
         stop_.check(moment());
         const TimeStepLimit& limiting = simulation_.limiting();
         observer_.stepped({simulation_.steps(), simulation_.time(), simulation_.dt(), limiting,
-                           last_, seconds(), steps_per_second(), stop_.seconds_left(moment())});
+                           last_, seconds(), steps_per_second(), stop_.seconds_left(moment()),
+                           cycles_.memory()});
         if (observer_.stop_requested()) stop_.interrupt();
         if (!stop_.reason() && checkpoint_is_due()) write_checkpoint_now();
     }
@@ -215,9 +223,17 @@ private:
         files_.sample(last_);
     }
 
+    void follow_cycle()
+    {
+        if (!cycles_.due(simulation_.time(), simulation_.dt())) return;
+        const bool sampled = last_.step == simulation_.steps();
+        if (cycles_.add(sampled ? last_ : simulation_.sample())) stop_.look_at(cycles_);
+    }
+
     RunMemory memory() const
     {
         RunMemory m;
+        m.cycles = cycles_.memory();
         m.window = stop_.memory();
         m.wall_seconds = seconds_before_ + seconds();
         m.step_factor = step_factor_;
@@ -233,6 +249,8 @@ private:
         files_.go_on_from(m, simulation_.time(), simulation_.steps());
         stop_ = StopCriteria(case_);
         for (const Sample& s : m.window) stop_.add(s);
+        cycles_.go_on_from(m.cycles, simulation_.time());
+        stop_.look_at(cycles_);
         last_ = simulation_.sample();
     }
 
@@ -267,6 +285,7 @@ private:
         for (const PhaseTime& p : simulation_.phase_times())
             s.phase_seconds.emplace_back(p.name, p.seconds);
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
+        if (cycles_.memory().cycles > 0) s.cycle = cycles_.memory();
         s.warnings = run_warnings(case_, s, step_factor_);
         return s;
     }
@@ -278,6 +297,7 @@ private:
     Simulation simulation_;
     RunFiles files_;
     StopCriteria stop_;
+    Cycles cycles_;
     std::optional<TheoryReport> theory_;
     Sample last_;
     RunMemory good_memory_; ///< of the last sound state

@@ -10,11 +10,10 @@
 #include "output/summary.hpp"
 #include "simulation/attempts.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/time_step.hpp"
 #include "theory/theory_report.hpp"
 
 namespace starling {
-
-inline constexpr Real closest_targets = 0.25; ///< in steps: times nearer to each other are one
 
 /// The times at which frames are due: 0 and the multiples of `every`.
 class Schedule {

@@ -7,6 +7,8 @@
 
 namespace starling {
 
+inline constexpr Real closest_targets = 0.25; ///< in steps: times nearer to each other are one
+
 /// A bound on the time step and what it comes from ("membrane stiffness", "advection", ...).
 struct TimeStepLimit {
     std::string name;

@@ -51,7 +51,7 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.material.viscosity})
         real(x);
     for (const auto& x : {c.time.step, c.stop.end_time, c.stop.steady_tolerance, c.stop.wall_clock,
-                          c.output.wall_every, c.output.fluid_every})
+                          c.stop.periodic_tolerance, c.output.wall_every, c.output.fluid_every})
         maybe(x);
     maybe(c.perturbation.mode);
     integer(c.perturbation.seed);
@@ -71,6 +71,7 @@ inline std::vector<std::uint64_t> bits(const Case& c)
         }
     }
     integer(c.checkpoint.keep);
+    integer(c.time.cycle_samples);
     integer(c.grid.cells.has_value());
     if (c.grid.cells)
         for (Index n : *c.grid.cells) integer(n);

@@ -90,6 +90,16 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_EQ(m.next_wall, 0.5);
     EXPECT_EQ(m.wall_seconds, 12.5);
     EXPECT_EQ(m.step_factor, 0.5);
+    EXPECT_EQ(m.cycles.period, 0.1);
+    EXPECT_EQ(m.cycles.per_cycle, 3);
+    EXPECT_EQ(m.cycles.next, 14);
+    EXPECT_EQ(m.cycles.cycles, 4);
+    EXPECT_EQ(m.cycles.change, 0.01);
+    EXPECT_TRUE(std::isnan(m.cycles.change_before));
+    ASSERT_EQ(m.cycles.last.size(), 3u);
+    EXPECT_EQ(m.cycles.last[2].P_out, 0.9);
+    ASSERT_EQ(m.cycles.current.size(), 1u);
+    EXPECT_EQ(m.cycles.current[0].step, 42);
 }
 
 /// What is said of a file; empty if it is found whole.
@@ -134,7 +144,7 @@ TEST(Checkpoint, OfAnotherKindOrVersionIsNamedAsSuch)
     TemporaryDirectory dir;
     std::string text = read_text(Example().write(dir.path()));
     const fs::path other = dir.path() / "other.h5";
-    const std::size_t place = text.find("format_version 4");
+    const std::size_t place = text.find("format_version 5");
     for (const char* version : {"2", "7"}) {
         text.replace(place + 15, 1, version);
         write_text(other, text);
