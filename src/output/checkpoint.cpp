@@ -71,6 +71,14 @@ void for_samples(Self& m, F f)
     f("/run/this_cycle", m.cycles.current);
 }
 
+/// The sums of wall shear stress, by name.
+template <class Self, class F>
+void for_shear(Self& m, F f)
+{
+    f("/run/last_shear", m.cycles.shear_last);
+    f("/run/this_shear", m.cycles.shear_current);
+}
+
 /// What the ends remember beside fields, by name.
 template <class Ends, class F>
 void for_end_values(Ends& ends, F f)
@@ -189,6 +197,14 @@ void write_memory(hdf5::File& file, const RunMemory& m)
                 values.push_back(
                     std::visit([&](auto p) { return static_cast<Real>(s.*p); }, c.member));
         file.write(name, {samples.size(), sample_columns().size()}, values, hdf5::Precision::full);
+    });
+    for_shear(m, [&](const char* name, const ShearSums& sums) {
+        std::vector<Real> values;
+        for (std::size_t v = 0; v < sums.stress.size(); ++v) {
+            const Vec3& s = sums.stress[v];
+            values.insert(values.end(), {s.x, s.y, s.z, sums.magnitude[v]});
+        }
+        file.write(name, {sums.stress.size(), 4}, values, hdf5::Precision::full);
     });
 }
 
@@ -343,6 +359,14 @@ RunMemory CheckpointFile::read_memory() const
             for (Sample& s : samples)
                 for (const Column<Sample>& c : columns)
                     std::visit([&](auto p) { set(s.*p, *value++); }, c.member);
+        });
+        for_shear(m, [&](const char* name, ShearSums& sums) {
+            std::vector<Real> values(file.size(name));
+            file.read(name, values);
+            for (std::size_t n = 0; n + 3 < values.size(); n += 4) {
+                sums.stress.push_back({values[n], values[n + 1], values[n + 2]});
+                sums.magnitude.push_back(values[n + 3]);
+            }
         });
         check_cycles(m.cycles);
         return m;

@@ -48,15 +48,17 @@ Real Cycles::next() const
 
 bool Cycles::due(Real t, Real dt) const { return t >= next() - closest_targets * dt; }
 
-bool Cycles::add(const Sample& sample)
+bool Cycles::add(const Sample& sample, std::span<const Vec3> shear)
 {
     CycleMemory& m = memory_;
     ++m.next;
     m.current.push_back(sample);
+    m.shear_current.add(shear);
     if (static_cast<Index>(m.current.size()) < m.per_cycle) return false;
     m.change_before = m.change;
     if (m.cycles > 0) m.change = cycle_change(m.last, m.current);
     m.last = std::exchange(m.current, {});
+    m.shear_last = std::exchange(m.shear_current, {});
     ++m.cycles;
     return true;
 }

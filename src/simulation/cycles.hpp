@@ -23,8 +23,9 @@ public:
     Real next() const;
     /// Whether a sample is due at t; one due within a quarter of a step counts.
     bool due(Real t, Real dt) const;
-    /// Takes note of the sample that was due. Returns whether a cycle is complete with it.
-    bool add(const Sample& sample);
+    /// Takes note of the sample that was due, and of the wall shear stress at each vertex
+    /// (rho U_c^2; may be left out). Returns whether a cycle is complete with it.
+    bool add(const Sample& sample, std::span<const Vec3> shear = {});
 
     const CycleMemory& memory() const { return memory_; }
 

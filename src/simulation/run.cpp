@@ -49,8 +49,8 @@ std::string later_end(const Case& c, const std::string& reason, Index steps)
 class Run {
 public:
     Run(const Case& c, const RunDirectoryOptions& directory, RunObserver& observer)
-        : case_(c), observer_(observer), simulation_(c), files_(c, directory), stop_(c), cycles_(c),
-          theory_(theory_of(c))
+        : case_(c), observer_(observer), simulation_(c), cycles_(c), files_(c, directory, cycles_),
+          stop_(c), theory_(theory_of(c))
     {
     }
 
@@ -142,6 +142,7 @@ private:
         std::optional<Neighbourhood> broken;
         if (breakdown_) broken = simulation_.neighbourhood(*breakdown_);
         simulation_.back_to_good();
+        cycles_.go_on_from(good_memory_.cycles, simulation_.time());
         Attempts attempt;
         attempt([&] { files_.checkpoint(simulation_, good_memory_); });
         last_ = simulation_.sample();
@@ -227,7 +228,8 @@ private:
     {
         if (!cycles_.due(simulation_.time(), simulation_.dt())) return;
         const bool sampled = last_.step == simulation_.steps();
-        if (cycles_.add(sampled ? last_ : simulation_.sample())) stop_.look_at(cycles_);
+        const std::vector<Vec3> shear = simulation_.wall_shear_stress();
+        if (cycles_.add(sampled ? last_ : simulation_.sample(), shear)) stop_.look_at(cycles_);
     }
 
     RunMemory memory() const
@@ -295,9 +297,9 @@ private:
     const Case& case_;
     RunObserver& observer_;
     Simulation simulation_;
+    Cycles cycles_;
     RunFiles files_;
     StopCriteria stop_;
-    Cycles cycles_;
     std::optional<TheoryReport> theory_;
     Sample last_;
     RunMemory good_memory_; ///< of the last sound state

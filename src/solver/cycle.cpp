@@ -23,6 +23,45 @@ std::span<const CycleQuantity> cycle_quantities()
     return quantities;
 }
 
+void ShearSums::add(std::span<const Vec3> shear)
+{
+    stress.resize(shear.size());
+    magnitude.resize(shear.size());
+    for (std::size_t v = 0; v < shear.size(); ++v) {
+        stress[v] += shear[v];
+        magnitude[v] += norm(shear[v]);
+    }
+}
+
+void add_shear(const CycleMemory& cycles, WallSnapshot& wall)
+{
+    if (cycles.period == 0) return;
+    const ShearSums& sums = cycles.shear_last;
+    NamedArray tawss{"TAWSS", Quantity::shear_stress, 1, {}}, osi{"OSI", Quantity::none, 1, {}};
+    tawss.values.resize(wall.points.size(), CycleMemory::nan);
+    osi.values.resize(wall.points.size(), CycleMemory::nan);
+    for (std::size_t v = 0; v < sums.stress.size(); ++v) {
+        tawss.values[v] = sums.TAWSS(v, cycles.per_cycle);
+        osi.values[v] = sums.OSI(v);
+    }
+    wall.at_vertex.push_back(std::move(tawss));
+    wall.at_vertex.push_back(std::move(osi));
+}
+
+void add_shear(const CycleMemory& cycles, VertexIndex ring_size, std::vector<ProfileRow>& rows)
+{
+    const ShearSums& sums = cycles.shear_last;
+    if (sums.empty()) return;
+    const auto n = static_cast<std::size_t>(ring_size);
+    for (std::size_t ring = 0; ring < rows.size(); ++ring) {
+        rows[ring].TAWSS = rows[ring].OSI = 0;
+        for (std::size_t v = ring * n; v < (ring + 1) * n; ++v) {
+            rows[ring].TAWSS += sums.TAWSS(v, cycles.per_cycle) / ring_size;
+            rows[ring].OSI += sums.OSI(v) / ring_size;
+        }
+    }
+}
+
 CycleValues values_over(std::span<const Sample> cycle, Real Sample::*member)
 {
     CycleValues v{0, cycle.front().*member, cycle.front().*member};

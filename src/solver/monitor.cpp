@@ -171,8 +171,7 @@ Real Monitor::transmural_pressure(const State& s, VertexIndex v) const
     return P(x[v] - inside * normal) - P(x[v] + beyond * normal);
 }
 
-/// Magnitude of mu d(u_tangential)/dn at the inner side, from probes 1.5 and 3 spacings inside.
-Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
+Vec3 Monitor::wall_shear_stress(const State& s, VertexIndex v) const
 {
     const Vec3 n = outward_normal(v), U = s.wall.velocity[v];
     const Real step = 1.5 * grid_.delta();
@@ -184,7 +183,18 @@ Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
         const Vec3 d = u - U;
         return d - dot(d, n) * n;
     };
-    return inv_reynolds_ * norm((1 / (2 * step)) * (4 * slip(step) - slip(2 * step)));
+    return (inv_reynolds_ / (2 * step)) * (4 * slip(step) - slip(2 * step));
+}
+
+std::vector<Vec3> Monitor::wall_shear_stress(const State& s)
+{
+    geometry_.update(s.wall.x);
+    std::vector<Vec3> stress(static_cast<std::size_t>(s.wall.x.size()));
+    Vec3* at = stress.data();
+    for_range(0, s.wall.x.size(), [this, &s, at](Index v) {
+        at[v] = wall_shear_stress(s, static_cast<VertexIndex>(v));
+    });
+    return stress;
 }
 
 namespace {
@@ -328,7 +338,7 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
         }));
     a.at_vertex.push_back(
         make_array("wall_shear_stress", Quantity::shear_stress, 1, vertices, [&](Index v, int) {
-            return wall_shear_stress(s, static_cast<VertexIndex>(v));
+            return norm(wall_shear_stress(s, static_cast<VertexIndex>(v)));
         }));
     const auto stretch = [&](Index e) {
         return elastic_->stretches(x, static_cast<ElementIndex>(e));

@@ -98,6 +98,10 @@ TEST(Checkpoint, GivesBackEveryBitOfTheState)
     EXPECT_TRUE(std::isnan(m.cycles.change_before));
     ASSERT_EQ(m.cycles.last.size(), 3u);
     EXPECT_EQ(m.cycles.last[2].P_out, 0.9);
+    ASSERT_EQ(m.cycles.shear_last.stress.size(), 2u);
+    EXPECT_EQ(m.cycles.shear_last.stress[0].z, 2);
+    EXPECT_EQ(m.cycles.shear_last.magnitude, (std::vector<Real>{3, 0.5}));
+    EXPECT_TRUE(m.cycles.shear_current.empty());
     ASSERT_EQ(m.cycles.current.size(), 1u);
     EXPECT_EQ(m.cycles.current[0].step, 42);
 }

@@ -53,6 +53,7 @@ struct ExampleCheckpoint {
         memory.cycles.change = 0.01;
         memory.cycles.last.resize(3);
         memory.cycles.last[2].P_out = 0.9;
+        memory.cycles.shear_last.add(std::vector<Vec3>{{1, 2, 2}, {0, 0.5, 0}});
         memory.cycles.current.resize(1);
         memory.cycles.current[0].step = 42;
     }

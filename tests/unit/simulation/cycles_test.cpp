@@ -81,6 +81,44 @@ TEST(CycleValues, AreThoseOfTheCycle)
     EXPECT_NEAR(v.amplitude(), 1, 1e-14);
 }
 
+TEST(ShearSums, TellStressThatTurnsRoundFromStressThatKeepsItsDirection)
+{
+    ShearSums sums;
+    sums.add(std::vector<Vec3>{{2, 0, 0}, {0, 3, 4}, {1, 0, 0}});
+    sums.add(std::vector<Vec3>{{-2, 0, 0}, {0, 6, 8}, {0, 1, 0}});
+    EXPECT_EQ(sums.TAWSS(0, 2), 2);
+    EXPECT_EQ(sums.OSI(0), 0.5) << "back and forth";
+    EXPECT_EQ(sums.TAWSS(1, 2), 7.5);
+    EXPECT_EQ(sums.OSI(1), 0) << "one direction";
+    EXPECT_NEAR(sums.OSI(2), (1 - std::sqrt(0.5)) / 2, 1e-15) << "turned by a right angle";
+}
+
+TEST(ShearSums, StandInFramesAndProfilesOfCyclesThatAreFollowed)
+{
+    CycleMemory cycles;
+    WallSnapshot wall;
+    wall.points.resize(4);
+    std::vector<ProfileRow> rows(2);
+    add_shear(cycles, wall);
+    EXPECT_TRUE(wall.at_vertex.empty());
+    cycles.period = 1;
+    cycles.per_cycle = 1;
+    add_shear(cycles, wall);
+    add_shear(cycles, 2, rows);
+    ASSERT_EQ(wall.at_vertex.size(), 2u);
+    EXPECT_TRUE(std::isnan(wall.at_vertex[0].values[3])) << "no cycle is complete";
+    EXPECT_TRUE(std::isnan(rows[1].OSI));
+    cycles.shear_last.add(std::vector<Vec3>{{1, 0, 0}, {3, 0, 0}, {0, 0, 4}, {0, 0, 8}});
+    wall.at_vertex.clear();
+    add_shear(cycles, wall);
+    add_shear(cycles, 2, rows);
+    EXPECT_EQ(wall.at_vertex[0].values, (std::vector<Real>{1, 3, 4, 8}));
+    EXPECT_EQ(wall.at_vertex[1].values, (std::vector<Real>{0, 0, 0, 0}));
+    EXPECT_EQ(rows[0].TAWSS, 2);
+    EXPECT_EQ(rows[1].TAWSS, 6);
+    EXPECT_EQ(rows[1].OSI, 0);
+}
+
 TEST(Cycles, BeginAtWholePeriodsAfterTheRamp)
 {
     Case c = swinging();
