@@ -7,6 +7,7 @@
 
 #include "config/case_values.hpp"
 #include "config/input_file.hpp"
+#include "config/read_along_x.hpp"
 #include "config/read_drive.hpp"
 #include "config/read_scaling.hpp"
 #include "config/read_wall.hpp"
@@ -131,6 +132,7 @@ Case read_case_text(std::string_view text, const std::string& name,
     c.title = values.text("title", "");
     read_reynolds(values, c.scaling, c.fluid.reynolds);
     read_wall(values, c);
+    read_along_x(values, c, std::filesystem::path(name).parent_path());
     read_drive(values, c, std::filesystem::path(name).parent_path());
     read_grid(values, c, c.grid);
     read_numerics(values, c);

@@ -333,8 +333,10 @@ Summary with_advice(const std::filesystem::path& directory, F f)
 
 bool has_theory(const Case& c)
 {
-    return !c.drive.has_waveform() && c.drive.gives_pressures() &&
-           (c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds));
+    const bool straight = c.tube.rest_radius.uniform();
+    const bool slow = c.fluid.reynolds <= largest_theory_reynolds;
+    const bool known = c.tube.rigid ? straight || slow : straight && slow && !may_collapse(c);
+    return known && !c.drive.has_waveform() && c.drive.gives_pressures();
 }
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)

@@ -38,7 +38,8 @@ WallModel wall_model(const Case& c, Real delta)
             c.tube.smoothing,
             c.material.support,
             c.material.viscosity,
-            small_strain_poisson_ratio(c.material)};
+            small_strain_poisson_ratio(c.material),
+            c.material.stiffness};
 }
 
 namespace {

@@ -86,19 +86,20 @@ void Monitor::add_narrowest_section(const Array<Vec3>& x, Sample& a) const
     Index narrowest = 0;
     Real least = std::numeric_limits<Real>::max();
     for (Index ring = 0; ring < tube_->rings(); ++ring) {
-        const Real area = ring_area(*tube_, x, ring);
-        if (area < least) least = area, narrowest = ring;
+        const Real ratio = ring_area(*tube_, x, ring) / undeformed_area(ring);
+        if (ratio < least) least = ratio, narrowest = ring;
     }
-    a.min_area_ratio = least / undeformed_area();
+    a.min_area_ratio = least;
     a.x_min_area = tube_->ring_x[static_cast<std::size_t>(narrowest)];
     a.lobes = radius_modes(*tube_, x, narrowest).lobes();
 }
 
 /// Of the polygon through a ring's vertices.
-Real Monitor::undeformed_area() const
+Real Monitor::undeformed_area(Index ring) const
 {
     const auto n = static_cast<Real>(tube_->ring_size);
-    return n / 2 * std::sin(2 * pi / n);
+    const Real R = tube_->ring_radius[static_cast<std::size_t>(ring)];
+    return R * R * n / 2 * std::sin(2 * pi / n);
 }
 
 namespace {
@@ -345,8 +346,11 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
     };
     const auto tension = [&](Index e) {
         const std::array<Real, 2> lambda = stretch(e);
-        return std::visit([&](const auto& law) { return law.tensions(lambda[0], lambda[1]); },
-                          elastic_->material());
+        const Tensions tau =
+            std::visit([&](const auto& law) { return law.tensions(lambda[0], lambda[1]); },
+                       elastic_->material());
+        const Real k = elastic_->stiffness(static_cast<ElementIndex>(e));
+        return Tensions{k * tau.tau1, k * tau.tau2};
     };
     a.at_element.push_back(make_array("lambda1", Quantity::none, 1, elements,
                                       [&](Index e, int) { return stretch(e)[0]; }));

@@ -39,7 +39,7 @@ private:
     };
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
     void add_narrowest_section(const Array<Vec3>& x, Sample& a) const;
-    Real undeformed_area() const;
+    Real undeformed_area(Index ring) const;
     void find_positions_before(const State& s);
     Real volume_rate(const State& s);
     std::vector<Real> leak_up_to_rings(const State& s);

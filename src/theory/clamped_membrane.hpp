@@ -29,8 +29,9 @@ public:
     /// `x` increases from clamp to clamp; `law` has G_s = 1; `inertia` is the dynamic pressure
     /// (Q/pi)^2 over the square of the gradient, (Re/8)^2 in units of G_s; `support` is the
     /// stiffness of the tissue around per undeformed area, in G_s/R_0^2.
+    /// `stiffness` is a factor on the law's tensions along x.
     ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law,
-                    Real inertia, Real support);
+                    Real inertia, Real support, const AlongX& stiffness = {});
 
     MembraneState undeformed() const;
 
@@ -59,6 +60,7 @@ private:
     Real rigid_inlet_, rigid_outlet_;
     Material law_;
     Real inertia_, support_;
+    std::vector<Real> stiffness_; ///< in the middle of each element
 };
 
 } // namespace starling

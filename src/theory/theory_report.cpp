@@ -19,7 +19,8 @@ constexpr Index table_rows = 17;
 /// Transmural pressure over E'h.
 Real P_bar(const TheoryReport& r, Real x)
 {
-    return (r.tube.P_at(x) - r.problem.drive.pressure_external) / r.modulus;
+    return (r.tube.P_at(x) - r.problem.drive.pressure_external) /
+           (r.modulus * r.problem.material.stiffness(x));
 }
 
 /// Eqs. (55)-(57) over Q_0 with the model's pressures, from its largest radius to the outlet clamp.
@@ -78,6 +79,7 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     add_line(text, "pressure at the outlet clamp", r.P_clamp_outlet * p, pressure);
     add_line(text, "Moens-Korteweg wave speed with E/(1 - nu^2)",
              r.wave_speed * scaling.factor(Quantity::velocity), scaling.unit(Quantity::velocity));
+    if (!r.problem.material.stiffness.uniform()) return text; // Eqs. (55)-(57) are of one modulus
     text += "Q/Q_0 of the laws, from the largest radius to the outlet clamp\n";
     add_line(text, "law of Laplace, Eq. (55)", r.law_Q_over_Q0[0]);
     add_line(text, "Anand-Christov, Eq. (56)", r.law_Q_over_Q0[1]);

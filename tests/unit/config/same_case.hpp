@@ -70,6 +70,14 @@ inline std::vector<std::uint64_t> bits(const Case& c)
             for (Real x : *numbers) real(x);
         }
     }
+    for (const AlongX* a : {&c.tube.rest_radius, &c.material.stiffness}) {
+        integer(a->shape);
+        for (Real x : {a->position, a->length, a->change}) real(x);
+        for (const auto* numbers : {&a->x, &a->values}) {
+            integer(numbers->size());
+            for (Real x : *numbers) real(x);
+        }
+    }
     integer(c.checkpoint.keep);
     integer(c.time.cycle_samples);
     integer(c.grid.cells.has_value());
