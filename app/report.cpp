@@ -84,8 +84,8 @@ void add_cycle(Table& table, const CycleMemory& cycle)
                                      table.number(cycle.period, Quantity::time), change));
     for (const auto& [label, member, quantity] :
          {std::tuple{"flow rate half way", &Sample::Q_mid, Quantity::flow_rate},
-          {"pressure at the inlet", &Sample::P_in, Quantity::pressure},
-          {"pressure at the outlet", &Sample::P_out, Quantity::pressure},
+          {"inlet pressure", &Sample::P_in, Quantity::pressure},
+          {"outlet pressure", &Sample::P_out, Quantity::pressure},
           {"largest radius", &Sample::R_max, Quantity::length}}) {
         const CycleValues v = values_over(cycle.last, member);
         table.line(fmt::format("{} over a cycle", label),
