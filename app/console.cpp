@@ -40,6 +40,14 @@ Real leak_percent(const Sample& s)
     return std::isfinite(leak) ? 100 * leak : 0;
 }
 
+/// How many cycles are complete, and by how much the last one differs from the one before.
+std::string cycle_text(const CycleMemory& m)
+{
+    if (m.cycles == 0) return "";
+    const std::string change = std::isfinite(m.change) ? fmt::format("{:.2g}", m.change) : "?";
+    return fmt::format("  cycle {} change {}", m.cycles, change);
+}
+
 } // namespace
 
 void QuietObserver::retrying(const Retry& retry)
@@ -129,22 +137,22 @@ std::string progress_line(const Progress& p, const std::string& limit, const Sca
     const Sample& s = p.last;
     const Real time = scaling.factor(Quantity::time), flow = scaling.factor(Quantity::flow_rate);
     return fmt::format("step {}  t {:.4g}  dt {:.3g} ({})  CFL {:.2f}  Q {:.4g} > {:.4g}  "
-                       "leak {:.2f} %  displacement {:.3g}  {:.1f} steps/s  {} left",
+                       "leak {:.2f} %  displacement {:.3g}{}  {:.1f} steps/s  {} left",
                        p.step, p.t * time, p.dt * time, limit, s.cfl, s.Q_in * flow, s.Q_out * flow,
                        leak_percent(s), s.largest_displacement * scaling.factor(Quantity::length),
-                       p.steps_per_second, duration_text(p.seconds_left));
+                       cycle_text(p.cycles), p.steps_per_second, duration_text(p.seconds_left));
 }
 
 std::string short_progress_line(const Progress& p, const std::string& limit, const Scaling& scaling)
 {
     const Sample& s = p.last;
     const Real time = scaling.factor(Quantity::time), flow = scaling.factor(Quantity::flow_rate);
-    return fmt::format("{} t {:.4g} dt {:.2g} {} CFL {:.2f} Q {:.3g}>{:.3g} leak {:.1f}% d {:.2g} "
-                       "{:.0f}/s {}",
-                       p.step, p.t * time, p.dt * time, limit.substr(0, limit.find(' ')), s.cfl,
-                       s.Q_in * flow, s.Q_out * flow, leak_percent(s),
-                       s.largest_displacement * scaling.factor(Quantity::length),
-                       p.steps_per_second, clock_text(p.seconds_left));
+    return fmt::format(
+        "{} t {:.4g} dt {:.2g} {} CFL {:.2f} Q {:.3g}>{:.3g} leak {:.1f}% d {:.2g}{} "
+        "{:.0f}/s {}",
+        p.step, p.t * time, p.dt * time, limit.substr(0, limit.find(' ')), s.cfl, s.Q_in * flow,
+        s.Q_out * flow, leak_percent(s), s.largest_displacement * scaling.factor(Quantity::length),
+        cycle_text(p.cycles).substr(0, 9), p.steps_per_second, clock_text(p.seconds_left));
 }
 
 std::string duration_text(double seconds)

@@ -40,7 +40,7 @@ private:
 };
 
 /// The progress line: step, t, dt and the `limit` that sets it, CFL, flow in and out, leak,
-/// displacement, speed, time left; numbers in the case's units.
+/// displacement, cycles of the drive, speed, time left; numbers in the case's units.
 std::string progress_line(const Progress& progress, const std::string& limit,
                           const Scaling& scaling);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -72,6 +73,26 @@ void add_results(Table& table, const Summary& s)
     table.line("largest radius", table.number(last.R_max, Quantity::length) +
                                      " at x = " + table.number(last.x_R_max, Quantity::length));
     table.line("largest strain", fmt::format("{:.2f} %", 100 * last.max_strain));
+}
+
+void add_cycle(Table& table, const CycleMemory& cycle)
+{
+    const std::string change =
+        std::isfinite(cycle.change)
+            ? fmt::format(", the last within {:.2g} of the one before", cycle.change)
+            : "";
+    table.line("cycles", fmt::format("{} of {}{}", cycle.cycles,
+                                     table.number(cycle.period, Quantity::time), change));
+    for (const auto& [label, member, quantity] :
+         {std::tuple{"flow rate half way", &Sample::Q_mid, Quantity::flow_rate},
+          {"inlet pressure", &Sample::P_in, Quantity::pressure},
+          {"outlet pressure", &Sample::P_out, Quantity::pressure},
+          {"largest radius", &Sample::R_max, Quantity::length}}) {
+        const CycleValues v = values_over(cycle.last, member);
+        table.line(fmt::format("{} over a cycle", label),
+                   fmt::format("{} to {}, mean {}", table.bare_number(v.min, quantity),
+                               table.bare_number(v.max, quantity), table.number(v.mean, quantity)));
+    }
 }
 
 std::string comparison(const char* what, Real found, Real expected)
@@ -200,6 +221,7 @@ std::string summary_text(const Summary& summary, const Case& c,
                               summary.last.step, table.number(summary.last.t, Quantity::time)));
     add_speed(table, summary);
     add_results(table, summary);
+    if (summary.cycle) add_cycle(table, *summary.cycle);
     return table.text() + theory_text(summary) + warning_text(summary.warnings) +
            phase_text(summary) + files_text(summary, c, directory);
 }

@@ -18,14 +18,16 @@ namespace starling {
 struct TimeParameters {
     std::optional<Real> step; ///< fixed dt; empty means "auto"
     Real safety = 1;          ///< factor on the automatic step, in (0, 2]
+    Index cycle_samples = 50; ///< of a cycle of the drive; 0: cycles are not followed
 };
 
 /// When to stop; whichever comes first. At least one is set.
 struct StopParameters {
     std::optional<Real> end_time;
     std::optional<Index> steps;
-    std::optional<Real> steady_tolerance; ///< relative change that counts as steady
-    std::optional<Real> wall_clock;       ///< seconds
+    std::optional<Real> steady_tolerance;   ///< relative change that counts as steady
+    std::optional<Real> periodic_tolerance; ///< change from cycle to cycle that counts as none
+    std::optional<Real> wall_clock;         ///< seconds
 };
 
 /// What is written and how often.

@@ -240,6 +240,25 @@ std::vector<KeyRule> wall_keys()
     };
 }
 
+/// A section for a factor on a property of the wall along x.
+std::vector<KeyRule> along_x_keys(std::string_view section, const Range& change,
+                                  const Range& factor)
+{
+    using enum Kind;
+    const Range place = closed(-1e4, 1e4);
+    return {
+        {section, "shape", choice, "how it varies", none, {}, {"bump", "step"}},
+        {section, "position", measure, "x of the middle of the shape", length, place},
+        {section, "length", measure, "length of the shape along x", length, positive_to(1e4)},
+        {section, "change", number, "factor in the middle of a bump or behind a step, less 1", none,
+         change},
+        {section, "x", numbers, "increasing positions of a table, in x_scale", none, place},
+        {section, "values", numbers, "factors at these positions", none, factor},
+        {section, "file", text, "CSV file with a header row and the columns x and value"},
+        {section, "x_scale", measure, "unit of the positions of a table", length, positive()},
+    };
+}
+
 std::vector<KeyRule> perturbation_keys()
 {
     using enum Kind;
@@ -274,11 +293,14 @@ std::vector<KeyRule> numerical_keys()
 
         {"time", "step", step, "time step", Quantity::time, positive()},
         {"time", "safety", number, "factor on the automatic step", none, positive_to(2)},
+        {"time", "cycle_samples", integer, "samples of a cycle of the drive", none, closed(0, 1e4)},
 
         {"stop", "end_time", measure, "time to stop at", Quantity::time, positive()},
         {"stop", "steps", integer, "number of steps to stop at", none, closed(1, 1e9)},
         {"stop", "steady_tolerance", number, "relative change that counts as steady", none,
          positive_to(0.1)},
+        {"stop", "periodic_tolerance", number, "change from cycle to cycle that counts as none",
+         none, positive_to(0.5)},
         {"stop", "wall_clock", seconds, "real time to stop at", Quantity::time, positive()},
 
         {"output", "sample_every", integer, "steps between rows of series.csv", none,
@@ -339,7 +361,9 @@ const std::vector<KeyRule>& case_keys()
              {waveform_keys("inlet_waveform", pressure), waveform_keys("outlet_waveform", pressure),
               waveform_keys("external_waveform", pressure), inlet_flow_keys(),
               waveform_keys("inlet_flow", Quantity::flow_rate), windkessel_keys(), wall_keys(),
-              perturbation_keys(), numerical_keys()})
+              along_x_keys("rest_radius", closed(-0.8, 4), closed(0.2, 5)),
+              along_x_keys("stiffness", closed(-0.99, 99), closed(0.01, 100)), perturbation_keys(),
+              numerical_keys()})
             all.insert(all.end(), part.begin(), part.end());
         return all;
     }();

@@ -6,7 +6,9 @@ starling_module(config
     input_file.cpp
     nearest_name.cpp
     quantities.cpp
+    read_along_x.cpp
     read_case.cpp
+    read_columns.cpp
     read_drive.cpp
     read_scaling.cpp
     read_wall.cpp
@@ -22,7 +24,7 @@ target_link_libraries(starling_config PRIVATE fmt::fmt tomlplusplus::tomlplusplu
 
 # The shipped cases travel inside the program, so that `starling cases NAME` works anywhere.
 set(shipped_case_entries "")
-foreach(name inflation inflation_neo_hookean rigid_tube womersley carotid microchannel_si
+foreach(name inflation inflation_neo_hookean rigid_tube stenosis womersley carotid microchannel_si
         pressure_wave oscillation_damped oscillation_sustained
         collapse_mode2 collapse_mode3 collapse_mode4 collapse_mode5 collapse_mode6 collapse_mode8
         tube_law starling_resistor)

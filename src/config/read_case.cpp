@@ -7,6 +7,7 @@
 
 #include "config/case_values.hpp"
 #include "config/input_file.hpp"
+#include "config/read_along_x.hpp"
 #include "config/read_drive.hpp"
 #include "config/read_scaling.hpp"
 #include "config/read_wall.hpp"
@@ -41,24 +42,47 @@ void read_numerics(CaseValues& values, Case& c)
     values.fill("fluid.theta", c.fluid.theta);
     values.fill("time.step", c.time.step);
     values.fill("time.safety", c.time.safety);
+    values.fill("time.cycle_samples", c.time.cycle_samples);
+}
+
+/// Cycles that agree need a drive that repeats, and samples to compare.
+void check_periodic(CaseValues& values, const Case& c)
+{
+    constexpr Index fewest_samples = 8;
+    if (!c.stop.periodic_tolerance) return;
+    if (c.drive.period() == 0)
+        values.problem(
+            "stop.periodic_tolerance",
+            c.drive.has_waveform()
+                ? "needs waveforms that repeat after a common period; this drive has none"
+                : "needs a drive with a period: give a waveform one, or take "
+                  "steady_tolerance or end_time instead");
+    if (c.time.cycle_samples < fewest_samples)
+        values.problem("time.cycle_samples",
+                       fmt::format("is {}; with periodic_tolerance it must be at least {}",
+                                   c.time.cycle_samples, fewest_samples));
 }
 
 /// A drive that changes in time has no steady state to stop at.
 void read_stop(CaseValues& values, bool unsteady, StopParameters& stop)
 {
     const bool any = values.given("stop.end_time") || values.given("stop.steps") ||
-                     values.given("stop.steady_tolerance") || values.given("stop.wall_clock");
+                     values.given("stop.steady_tolerance") ||
+                     values.given("stop.periodic_tolerance") || values.given("stop.wall_clock");
     values.fill("stop.end_time", stop.end_time);
     values.fill("stop.steps", stop.steps);
     values.fill("stop.steady_tolerance", stop.steady_tolerance);
+    values.fill("stop.periodic_tolerance", stop.periodic_tolerance);
     values.fill("stop.wall_clock", stop.wall_clock);
     if (unsteady && stop.steady_tolerance)
         values.problem("stop.steady_tolerance", "cannot be met by a drive with a waveform: give "
-                                                "end_time, steps or wall_clock instead");
+                                                "periodic_tolerance, end_time, steps or wall_clock "
+                                                "instead");
     if (any) return;
     if (unsteady)
-        return values.missing("stop.end_time", "or give steps or wall_clock: a drive with a "
-                                               "waveform has no steady state to stop at");
+        return values.missing("stop.end_time",
+                              "or give periodic_tolerance, steps or wall_clock: a drive with a "
+                              "waveform has no steady state to stop at");
     if (values.has_section("stop"))
         values.missing("stop.steady_tolerance", "or give end_time, steps or wall_clock");
     stop.steady_tolerance = 1e-4;
@@ -109,10 +133,12 @@ Case read_case_text(std::string_view text, const std::string& name,
     c.title = values.text("title", "");
     read_reynolds(values, c.scaling, c.fluid.reynolds);
     read_wall(values, c);
+    read_along_x(values, c, std::filesystem::path(name).parent_path());
     read_drive(values, c, std::filesystem::path(name).parent_path());
     read_grid(values, c, c.grid);
     read_numerics(values, c);
     read_stop(values, c.drive.has_waveform(), c.stop);
+    check_periodic(values, c);
     read_output(values, c.output);
     read_checkpoint(values, c.checkpoint);
     validate(values, c);

@@ -1,64 +1,15 @@
 #include "config/read_waveform.hpp"
 
-#include <charconv>
-#include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
-#include "config/input_file.hpp"
 #include "config/nearest_name.hpp"
+#include "config/read_columns.hpp"
 
 namespace starling {
 
 namespace {
-
-constexpr std::size_t most_rows = 100000;
-
-struct Columns {
-    std::vector<Real> times, values;
-};
-
-std::optional<Real> number_of(std::string_view cell)
-{
-    const auto first = cell.find_first_not_of(" \t"), last = cell.find_last_not_of(" \t");
-    if (first == std::string_view::npos) return std::nullopt;
-    cell = cell.substr(first, last - first + 1);
-    if (cell.front() == '+') cell.remove_prefix(1);
-    Real x = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), x);
-    if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(x))
-        return std::nullopt;
-    return x;
-}
-
-/// The rows below a header. Throws std::invalid_argument with the line that is wrong.
-Columns parse_columns(std::string_view text)
-{
-    Columns columns;
-    for (int line = 1; !text.empty(); ++line) {
-        const auto end = text.find('\n');
-        std::string_view row = text.substr(0, end);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (!row.empty() && row.back() == '\r') row.remove_suffix(1);
-        const auto comma = row.find(',');
-        if (line == 1 && !number_of(row.substr(0, comma))) continue; // the header
-        if (row.find_first_not_of(" \t") == std::string_view::npos) continue;
-        const bool two = comma != std::string_view::npos;
-        const auto t = number_of(row.substr(0, comma));
-        const auto value = two ? number_of(row.substr(comma + 1)) : std::nullopt;
-        if (!t || !value)
-            throw std::invalid_argument(
-                fmt::format("line {} is {}; it must hold two numbers: time,value", line,
-                            in_quotes(std::string(row.substr(0, 40)))));
-        columns.times.push_back(*t);
-        columns.values.push_back(*value);
-        if (columns.times.size() > most_rows)
-            throw std::invalid_argument(fmt::format("has more than {} rows", most_rows));
-    }
-    if (columns.times.empty()) throw std::invalid_argument("has no rows of numbers");
-    return columns;
-}
 
 /// A section and its keys.
 class WaveformReader {
@@ -158,9 +109,9 @@ private:
         if (!values_.has(key("file"))) return;
         const std::filesystem::path file = folder_ / values_.text(key("file"), "");
         try {
-            Columns columns = parse_columns(input_text(file));
-            w.times = std::move(columns.times);
-            w.values = std::move(columns.values);
+            Columns columns = read_columns(file, "time,value");
+            w.times = std::move(columns.first);
+            w.values = std::move(columns.second);
         } catch (const std::invalid_argument& e) {
             problem("file", fmt::format("{}: {}", in_quotes(file.string()), e.what()));
         }

@@ -19,13 +19,14 @@ constexpr Real largest_step_count = 1e9;
 /// The key that sets the spacing, for messages.
 std::string_view spacing_key(const Case& c) { return c.grid.cells ? "grid.cells" : "grid.spacing"; }
 
+/// Room for a tube of the largest rest radius that it has.
 void check_room(CaseValues& values, std::string_view width_key, std::string_view offset_key,
-                Real width, Real offset, Real spacing)
+                Real width, Real offset, Real spacing, Real radius)
 {
     if (!values.sound({width_key, offset_key, "grid.spacing", "grid.cells"})) return;
-    const Real room = width / 2 - std::abs(offset) - 1;
+    const Real room = width / 2 - std::abs(offset) - radius;
     if (room >= room_in_spacings * spacing) return;
-    const Real least = 2 * (1 + std::abs(offset) + room_in_spacings * spacing);
+    const Real least = 2 * (radius + std::abs(offset) + room_in_spacings * spacing);
     values.problem(width_key,
                    fmt::format("leaves {} between the tube and the box; 3 spacings are needed, so "
                                "at least {} for this offset and spacing",
@@ -80,6 +81,28 @@ void check_segments(CaseValues& values, const TubeParameters& tube, Real spacing
                                             words(key, end), words("grid.spacing", spacing)));
 }
 
+/// The ends are built for a radius of R_0, the narrowest place must hold a few cells.
+void check_rest_radius(CaseValues& values, const Case& c, Real spacing)
+{
+    constexpr Real round_off = 1e-9, least_in_spacings = 2;
+    const AlongX& radius = c.tube.rest_radius;
+    if (radius.uniform() || !values.sound({"vessel.length"})) return;
+    const std::string_view key =
+        values.given("rest_radius.shape") ? "rest_radius.shape" : "rest_radius.values";
+    for (Real end : {Real{0}, c.tube.length})
+        if (std::abs(radius(end) - 1) > round_off)
+            values.problem(values.given(key) ? key : "rest_radius.file",
+                           fmt::format("gives the factor {:.6g} at x = {}; it must be 1 at both "
+                                       "ends of the tube",
+                                       radius(end), values.in_units("vessel.length", end)));
+    if (radius.lowest() < least_in_spacings * spacing)
+        values.problem(values.given(key) ? key : "rest_radius.file",
+                       fmt::format("narrows the tube to a radius of {}, under 2 grid spacings of "
+                                   "{}: take a finer grid",
+                                   values.in_units("vessel.length", radius.lowest()),
+                                   values.in_units("grid.spacing", spacing)));
+}
+
 void check_duration(CaseValues& values, const Case& c)
 {
     if (!c.time.step || !c.stop.end_time || !values.sound({"time.step", "stop.end_time"})) return;
@@ -105,10 +128,11 @@ void validate(CaseValues& values, const Case& c)
 {
     const Vec3 d = spacings(c.grid, c.tube.length);
     check_room(values, "grid.width_y", "grid.tube_offset_y", c.grid.width_y, c.grid.tube_offset_y,
-               d.y);
+               d.y, c.tube.rest_radius.highest());
     check_room(values, "grid.width_z", "grid.tube_offset_z", c.grid.width_z, c.grid.tube_offset_z,
-               d.z);
+               d.z, c.tube.rest_radius.highest());
     check_cells(values, c, d);
+    check_rest_radius(values, c, std::max(d.y, d.z));
     if (!c.tube.rigid && values.sound({"vessel.rigid"})) check_segments(values, c.tube, d.x);
     check_duration(values, c);
 }

@@ -202,6 +202,21 @@ void write_bending(CaseWriter& w, const Case& c)
               [=](long double E_b) { return static_cast<Real>(E_b / scale / G_s) == B; });
 }
 
+void write_along_x(CaseWriter& w, std::string_view section, const AlongX& a)
+{
+    if (a.uniform()) return;
+    w.section(section);
+    if (a.shape == AlongX::Shape::table) {
+        w.numbers("x", a.x);
+        w.numbers("values", a.values);
+        return;
+    }
+    w.text("shape", a.shape == AlongX::Shape::bump ? "bump" : "step");
+    w.measure("position", a.position, Quantity::length);
+    w.measure("length", a.length, Quantity::length);
+    w.number("change", a.change);
+}
+
 void write_perturbation(CaseWriter& w, const PerturbationParameters& p)
 {
     if (p.amplitude == 0) return;
@@ -264,11 +279,13 @@ void write_time(CaseWriter& w, const TimeParameters& time, const StopParameters&
     else
         w.text("step", "auto");
     w.number("safety", time.safety);
+    w.integer("cycle_samples", time.cycle_samples);
 
     w.section("stop");
     if (stop.end_time) w.measure("end_time", *stop.end_time, Quantity::time);
     if (stop.steps) w.integer("steps", *stop.steps);
     if (stop.steady_tolerance) w.number("steady_tolerance", *stop.steady_tolerance);
+    if (stop.periodic_tolerance) w.number("periodic_tolerance", *stop.periodic_tolerance);
     if (stop.wall_clock) w.number("wall_clock", *stop.wall_clock);
 }
 
@@ -316,6 +333,8 @@ std::string write_case(const Case& c)
     write_drive(w, c);
     write_vessel(w, c);
     write_wall(w, c);
+    write_along_x(w, "rest_radius", c.tube.rest_radius);
+    write_along_x(w, "stiffness", c.material.stiffness);
     write_perturbation(w, c.perturbation);
     write_grid(w, c.grid);
     w.section("coupling");

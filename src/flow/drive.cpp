@@ -53,6 +53,30 @@ DriveParameters DriveParameters::narrowest() const
             pressure_external + external_waveform.highest()};
 }
 
+Real DriveParameters::period() const
+{
+    constexpr Index most = 50;
+    constexpr Real round_off = 1e-9;
+    Real longest = 0;
+    std::vector<Real> periods;
+    for (const Waveform* w :
+         {&inlet_waveform, &outlet_waveform, &external_waveform, &inlet_flow.waveform}) {
+        if (w->none()) continue;
+        if (w->period == 0) return 0;
+        periods.push_back(w->period);
+        longest = std::max(longest, w->period);
+    }
+    for (Index n = 1; n <= most && !periods.empty(); ++n) {
+        const Real T = static_cast<Real>(n) * longest;
+        const auto fits = [=](Real period) {
+            const Real times = T / period;
+            return std::abs(times - std::round(times)) <= round_off * times;
+        };
+        if (std::ranges::all_of(periods, fits)) return T;
+    }
+    return 0;
+}
+
 Real DriveParameters::resolution() const
 {
     constexpr Real steps_of_ramp = 25;

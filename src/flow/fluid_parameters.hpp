@@ -63,6 +63,9 @@ struct DriveParameters {
     /// The steady drives that widen and narrow the tube at least as much as this one ever does.
     DriveParameters widest() const;
     DriveParameters narrowest() const;
+    /// The shortest time after which all waveforms repeat, at most 50 times the longest of their
+    /// periods; 0: there is none, or a waveform that does not repeat.
+    Real period() const;
     /// A time step that follows the waveforms and the ramp; infinite for a drive that is steady.
     Real resolution() const;
 };

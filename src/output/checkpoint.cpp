@@ -41,6 +41,29 @@ void for_numbers(Self& m, F f)
     f("next_fluid", m.next_fluid);
     f("wall_seconds", m.wall_seconds);
     f("step_factor", m.step_factor);
+    f("cycle_period", m.cycles.period);
+    f("cycle_samples", m.cycles.per_cycle);
+    f("cycle_next", m.cycles.next);
+    f("cycles", m.cycles.cycles);
+    f("cycle_change", m.cycles.change);
+    f("cycle_change_before", m.cycles.change_before);
+}
+
+/// The lists of samples, by name.
+template <class Self, class F>
+void for_samples(Self& m, F f)
+{
+    f("/run/window", m.window);
+    f("/run/last_cycle", m.cycles.last);
+    f("/run/this_cycle", m.cycles.current);
+}
+
+/// The sums of wall shear stress, by name.
+template <class Self, class F>
+void for_shear(Self& m, F f)
+{
+    f("/run/last_shear", m.cycles.shear_last);
+    f("/run/this_shear", m.cycles.shear_current);
 }
 
 /// What the ends remember beside fields, by name.
@@ -154,14 +177,24 @@ void write_memory(hdf5::File& file, const RunMemory& m)
 {
     file.make_group("/run");
     for_numbers(m, [&](const char* name, auto value) { file.attribute("/run", name, value); });
-    std::vector<Real> values;
-    for (const Sample& s : m.window)
-        for (const Column<Sample>& c : sample_columns())
-            values.push_back(std::visit([&](auto p) { return static_cast<Real>(s.*p); }, c.member));
     file.write("/run/phase_seconds", {m.phase_seconds.size()}, m.phase_seconds,
                hdf5::Precision::full);
-    file.write("/run/window", {m.window.size(), sample_columns().size()}, values,
-               hdf5::Precision::full);
+    for_samples(m, [&](const char* name, const std::vector<Sample>& samples) {
+        std::vector<Real> values;
+        for (const Sample& s : samples)
+            for (const Column<Sample>& c : sample_columns())
+                values.push_back(
+                    std::visit([&](auto p) { return static_cast<Real>(s.*p); }, c.member));
+        file.write(name, {samples.size(), sample_columns().size()}, values, hdf5::Precision::full);
+    });
+    for_shear(m, [&](const char* name, const ShearSums& sums) {
+        std::vector<Real> values;
+        for (std::size_t v = 0; v < sums.stress.size(); ++v) {
+            const Vec3& s = sums.stress[v];
+            values.insert(values.end(), {s.x, s.y, s.z, sums.magnitude[v]});
+        }
+        file.write(name, {sums.stress.size(), 4}, values, hdf5::Precision::full);
+    });
 }
 
 std::string file_of(const char* kind, Index step)
@@ -326,11 +359,22 @@ void set(Index& target, Real value)
     constexpr Real largest = 9007199254740992; // 2^53: whole numbers below are exact
     if (!(std::abs(value) <= largest) || value != std::trunc(value))
         throw std::runtime_error(
-            fmt::format("/run/window holds {} in place of a whole number", value));
+            fmt::format("a sample holds {} in place of a whole number", value));
     target = static_cast<Index>(value);
 }
 
 } // namespace
+
+/// Throws std::runtime_error for cycles that could not have been.
+void check_cycles(const CycleMemory& m)
+{
+    const auto count = [](const std::vector<Sample>& s) { return static_cast<Index>(s.size()); };
+    if (m.period == 0) return;
+    const bool whole = m.cycles == 0 ? m.last.empty() : count(m.last) == m.per_cycle;
+    if (!(m.period > 0) || m.per_cycle < 1 || m.next < 1 || m.cycles < 0 || !whole ||
+        count(m.current) >= m.per_cycle)
+        throw std::runtime_error("its cycles do not fit together");
+}
 
 RunMemory CheckpointFile::read_memory() const
 {
@@ -345,14 +389,25 @@ RunMemory CheckpointFile::read_memory() const
         });
         m.phase_seconds.resize(file.size("/run/phase_seconds"));
         file.read("/run/phase_seconds", m.phase_seconds);
-        const auto columns = sample_columns();
-        m.window.resize(file.size("/run/window") / columns.size());
-        std::vector<Real> values(m.window.size() * columns.size());
-        file.read("/run/window", values);
-        auto value = values.begin();
-        for (Sample& s : m.window)
-            for (const Column<Sample>& c : columns)
-                std::visit([&](auto p) { set(s.*p, *value++); }, c.member);
+        for_samples(m, [&](const char* name, std::vector<Sample>& samples) {
+            const auto columns = sample_columns();
+            samples.resize(file.size(name) / columns.size());
+            std::vector<Real> values(samples.size() * columns.size());
+            file.read(name, values);
+            auto value = values.begin();
+            for (Sample& s : samples)
+                for (const Column<Sample>& c : columns)
+                    std::visit([&](auto p) { set(s.*p, *value++); }, c.member);
+        });
+        for_shear(m, [&](const char* name, ShearSums& sums) {
+            std::vector<Real> values(file.size(name));
+            file.read(name, values);
+            for (std::size_t n = 0; n + 3 < values.size(); n += 4) {
+                sums.stress.push_back({values[n], values[n + 1], values[n + 2]});
+                sums.magnitude.push_back(values[n + 3]);
+            }
+        });
+        check_cycles(m.cycles);
         return m;
     } catch (const std::exception& e) {
         refuse(path_, e.what());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "output/sealed_file.hpp"
-#include "solver/monitor_data.hpp"
+#include "solver/cycle.hpp"
 #include "solver/state.hpp"
 
 namespace starling {
@@ -19,6 +19,7 @@ inline constexpr Seal checkpoint_seal = {"checkpoint", 5, "docs/checkpoints.md"}
 /// What a run remembers beside the state of the computation.
 struct RunMemory {
     std::vector<Sample> window;              ///< samples that the steady criterion looks back on
+    CycleMemory cycles;                      ///< of the drive
     Index last_row = -1;                     ///< step of the last row of series.csv
     Index wall_frames = 0, fluid_frames = 0; ///< frames on disk
     Index wall_step = -1, fluid_step = -1;   ///< steps of the last of them

@@ -24,6 +24,8 @@ std::span<const Column<ProfileRow>> profile_columns()
         {"mode_6", length, &ProfileRow::mode_6, "of six"},
         {"mode_7", length, &ProfileRow::mode_7, "of seven"},
         {"mode_8", length, &ProfileRow::mode_8, "of eight"},
+        {"TAWSS", shear_stress, &ProfileRow::TAWSS, "time-averaged wall shear stress"},
+        {"OSI", none, &ProfileRow::OSI, "oscillatory shear index"},
     };
     return columns;
 }

@@ -71,6 +71,26 @@ Json theory_json(const Summary& s, const Scaling& scaling)
     return json;
 }
 
+Json cycle_json(const Summary& s, Json& units, const Scaling& scaling)
+{
+    if (!s.cycle) return nullptr;
+    Json json;
+    json["cycles"] = s.cycle->cycles;
+    json["period"] = s.cycle->period * scaling.factor(Quantity::time);
+    units["cycle.period"] = scaling.unit(Quantity::time);
+    json["change"] = s.cycle->change;
+    for (const CycleQuantity& q : cycle_quantities()) {
+        const CycleValues v = values_over(s.cycle->last, q.member);
+        const Real factor = scaling.factor(q.quantity);
+        json[q.name] = {{"mean", v.mean * factor},
+                        {"min", v.min * factor},
+                        {"max", v.max * factor},
+                        {"amplitude", v.amplitude() * factor}};
+        units[std::string("cycle.") + q.name] = scaling.unit(q.quantity);
+    }
+    return json;
+}
+
 Json place_json(const std::optional<Vec3>& place, const Scaling& scaling)
 {
     if (!place) return nullptr;
@@ -116,6 +136,7 @@ std::string summary_json(const Summary& summary, const Scaling& scaling)
     json["theory"] = theory_json(summary, scaling);
     units["theory.Q_1d"] = scaling.unit(Quantity::flow_rate);
     units["theory.R_max_1d"] = scaling.unit(Quantity::length);
+    json["cycle"] = cycle_json(summary, units, scaling);
     json["breakdown"] = place_json(summary.breakdown, scaling);
     units["breakdown"] = scaling.unit(Quantity::length);
     json["warnings"] = summary.warnings;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/monitor_data.hpp"
+#include "solver/cycle.hpp"
 
 namespace starling {
 
@@ -21,7 +21,7 @@ Real leak_over_Q(const Sample& s);
 /// What a run came to. Numbers are in solver units.
 struct Summary {
     std::string title;
-    bool converged = false;    ///< the steady criterion was met
+    bool converged = false;    ///< the steady or the periodic criterion was met
     std::string reason;        ///< why the run ended
     Sample last;               ///< final sample
     Real mean_leak_over_Q = 0; ///< over the last half of the time; see mean_leak_over_Q
@@ -35,6 +35,7 @@ struct Summary {
     std::string version;
     std::vector<std::pair<std::string, double>> phase_seconds;
     std::optional<TheoryValues> theory;
+    std::optional<CycleMemory> cycle;  ///< with one complete cycle at least
     std::optional<Vec3> breakdown;     ///< where the computation broke down
     std::vector<std::string> warnings; ///< what to know before the numbers are used
 

@@ -20,6 +20,7 @@ public:
         if (!summary.is_object()) return;
         units_ = summary.value("units", Json::object());
         theory_ = summary.value("theory", Json());
+        cycle_ = summary.value("cycle", Json());
     }
     /// NaN where there is no such number.
     Real value(const std::string& name) const
@@ -27,6 +28,11 @@ public:
         if (summary_.is_object()) return number(summary_, name);
         const TableColumn* column = series_.find(name);
         return column && !column->values.empty() ? column->values.back() : std::nan("");
+    }
+    /// "mean", "min" or "max" of a number over the last cycle of the drive.
+    Real over_cycle(const std::string& name, const char* which) const
+    {
+        return cycle_.contains(name) ? number(cycle_[name], which) : std::nan("");
     }
     Real theory(const std::string& name) const { return number(theory_, name); }
     std::string unit(const std::string& name) const
@@ -44,7 +50,7 @@ private:
 
     const Json& summary_;
     const TableContents& series_;
-    Json units_ = Json::object(), theory_;
+    Json units_ = Json::object(), theory_, cycle_;
 };
 
 /// Rows of the table of results; numbers that do not exist make none.
@@ -101,6 +107,29 @@ void add_radius(Rows& rows, const Numbers& n, const Case& c)
     rows.add("Largest strain of the wall", 100 * n.value("max_strain"), "%");
 }
 
+struct CycleRow {
+    const char *name, *mean, *min, *max; ///< of the number, labels
+};
+
+/// Means and extremes over the last cycle of the drive.
+void add_cycle(Rows& rows, const Numbers& n)
+{
+    static const CycleRow all[] = {
+        {"Q_mid", "Flow rate half way, mean over the last cycle", "Least flow rate in it",
+         "Largest flow rate in it"},
+        {"P_in", "Pressure at the inlet, mean over the cycle", "Least pressure in it",
+         "Largest pressure in it"},
+        {"P_out", "Pressure at the outlet, mean over the cycle", "Least pressure in it",
+         "Largest pressure in it"},
+        {"R_max", "Largest radius, mean over the cycle", "Least in it", "Largest in it"}};
+    for (const CycleRow& row : all) {
+        const std::string unit = n.unit(row.name);
+        rows.add(row.mean, n.over_cycle(row.name, "mean"), unit);
+        rows.add(row.min, n.over_cycle(row.name, "min"), unit);
+        rows.add(row.max, n.over_cycle(row.name, "max"), unit);
+    }
+}
+
 /// What linear theory says of the load, and what the run made of it.
 void add_collapse(Rows& rows, const Numbers& n, const Case& c)
 {
@@ -124,6 +153,7 @@ Json result_data(const Json& summary, const TableContents& series, const Case& c
     Rows rows(numbers);
     add_flow(rows, numbers);
     add_radius(rows, numbers, c);
+    add_cycle(rows, numbers);
     add_collapse(rows, numbers, c);
     rows.add("Volume enclosed by the wall", "volume");
     rows.add("Elastic energy of the wall", "elastic_energy");

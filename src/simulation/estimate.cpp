@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "grid/grid.hpp"
+#include "simulation/cycles.hpp"
 #include "simulation/forewarnings.hpp"
 #include "simulation/steady.hpp"
 #include "theory/wave_speed.hpp"
@@ -39,6 +40,9 @@ void choose_step(RunEstimate& e, const Case& c, Real speed, Real delta)
     e.dt = e.binding.dt;
 }
 
+/// Before that no cycle can be compared with another.
+Real time_of_two_cycles(const Case& c) { return first_cycle(c, 0) + 2 * c.drive.period(); }
+
 Real expected_duration(const Case& c, Real dt)
 {
     Real duration = std::numeric_limits<Real>::infinity();
@@ -46,6 +50,7 @@ Real expected_duration(const Case& c, Real dt)
     if (c.stop.steps) duration = std::min(duration, static_cast<Real>(*c.stop.steps) * dt);
     if (c.stop.steady_tolerance)
         duration = std::min(duration, expected_time_to_steady(c, *c.stop.steady_tolerance));
+    if (c.stop.periodic_tolerance) duration = std::min(duration, time_of_two_cycles(c));
     return duration;
 }
 
@@ -93,8 +98,9 @@ RunEstimate estimate_run(const Case& c)
     choose_step(e, c, expected_speed(c, prediction), grid.delta());
     e.relaxation_time = relaxation_time(c);
     e.duration = expected_duration(c, e.dt);
-    e.at_least = may_collapse(c) && c.stop.steady_tolerance &&
-                 e.duration == expected_time_to_steady(c, *c.stop.steady_tolerance);
+    e.at_least = (may_collapse(c) && c.stop.steady_tolerance &&
+                  e.duration == expected_time_to_steady(c, *c.stop.steady_tolerance)) ||
+                 (c.stop.periodic_tolerance && e.duration == time_of_two_cycles(c));
     e.steps = std::ceil(e.duration / e.dt);
     e.seconds = e.steps * static_cast<Real>(e.cells) / assumed_cell_steps_per_second;
     if (c.stop.wall_clock) e.seconds = std::min(e.seconds, *c.stop.wall_clock);

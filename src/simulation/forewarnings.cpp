@@ -113,7 +113,8 @@ void warn_of_collapse(Warnings& found, const Case& c, const RunEstimate& e)
 
 Prediction predict(const Case& c)
 {
-    if (may_collapse(c) || !c.drive.gives_pressures()) return {};
+    const bool known = c.tube.rigid || c.tube.rest_radius.uniform(); // to the model
+    if (may_collapse(c) || !c.drive.gives_pressures() || !known) return {};
     try {
         return {solve_one_dimensional({c.tube, c.material, c.fluid, c.drive.widest()}), ""};
     } catch (const NumericalError& e) {

@@ -37,8 +37,8 @@ std::optional<TheoryReport> theory_of(const Case& c)
 class Run {
 public:
     Run(const Case& c, const RunDirectoryOptions& directory, RunObserver& observer)
-        : case_(c), observer_(observer), simulation_(c), files_(c, directory), stop_(c),
-          theory_(theory_of(c))
+        : case_(c), observer_(observer), simulation_(c), cycles_(c), files_(c, directory, cycles_),
+          stop_(c), theory_(theory_of(c))
     {
     }
 
@@ -58,6 +58,8 @@ public:
         good_memory_ = sound.read_memory();
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
+        cycles_.go_on_from(m.cycles, simulation_.time());
+        stop_.look_at(cycles_);
         Moment at_rest = moment();
         at_rest.wall_seconds = 0; // counts from now
         stop_.check(at_rest);
@@ -130,7 +132,7 @@ private:
         });
         if (files_.last_row() != simulation_.steps()) attempt([&] { take_sample(); });
         files_.finish(simulation_, attempt);
-        Summary result = summary(*stop_.reason(), stop_.steady());
+        Summary result = summary(*stop_.reason(), stop_.converged());
         attempt([&] { files_.summary(result); });
         attempt([&] { files_.sync(); });
         if (!attempt.failures().empty())
@@ -148,6 +150,7 @@ private:
         std::optional<Neighbourhood> broken;
         if (breakdown_) broken = simulation_.neighbourhood(*breakdown_);
         simulation_.back_to_good();
+        cycles_.go_on_from(good_memory_.cycles, simulation_.time());
         Attempts attempt;
         attempt([&] { files_.checkpoint(simulation_, good_memory_, good_memory_); });
         last_ = simulation_.sample();
@@ -188,20 +191,24 @@ private:
     Real target() const
     {
         const Real end = case_.stop.end_time.value_or(std::numeric_limits<Real>::infinity());
-        const Real frame = files_.next_frame();
-        return frame < end - closest_targets * simulation_.dt() ? frame : end;
+        const Real slack = closest_targets * simulation_.dt();
+        const Real of_cycle = cycles_.next(), frame = files_.next_frame();
+        const Real target = of_cycle < end - slack ? of_cycle : end;
+        return frame < target - slack ? frame : target;
     }
 
     void step()
     {
         simulation_.step(target());
         if (simulation_.steps() % case_.output.sample_every == 0) take_sample();
+        follow_cycle();
         files_.fields(simulation_);
         if (simulation_.good_step() == simulation_.steps()) good_memory_ = memory();
         stop_.check(moment());
         const TimeStepLimit& limiting = simulation_.limiting();
         observer_.stepped({simulation_.steps(), simulation_.time(), simulation_.dt(), limiting,
-                           last_, seconds(), steps_per_second(), stop_.seconds_left(moment())});
+                           last_, seconds(), steps_per_second(), stop_.seconds_left(moment()),
+                           cycles_.memory()});
         if (observer_.stop_requested()) stop_.interrupt();
         if (!stop_.reason() && checkpoint_is_due()) write_checkpoint_now();
     }
@@ -241,9 +248,18 @@ private:
         files_.sample(last_);
     }
 
+    void follow_cycle()
+    {
+        if (!cycles_.due(simulation_.time(), simulation_.dt())) return;
+        const bool sampled = last_.step == simulation_.steps();
+        const std::vector<Vec3> shear = simulation_.wall_shear_stress();
+        if (cycles_.add(sampled ? last_ : simulation_.sample(), shear)) stop_.look_at(cycles_);
+    }
+
     RunMemory memory() const
     {
         RunMemory m;
+        m.cycles = cycles_.memory();
         m.window = stop_.memory();
         m.wall_seconds = seconds_before_ + seconds();
         m.step_factor = step_factor_;
@@ -259,6 +275,8 @@ private:
         files_.go_on_from(m, simulation_.time(), simulation_.steps());
         stop_ = StopCriteria(case_);
         for (const Sample& s : m.window) stop_.add(s);
+        cycles_.go_on_from(m.cycles, simulation_.time());
+        stop_.look_at(cycles_);
         last_ = simulation_.sample();
     }
 
@@ -306,6 +324,7 @@ private:
         s.breakdown = breakdown_;
         s.phase_seconds = phase_seconds();
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
+        if (cycles_.memory().cycles > 0) s.cycle = cycles_.memory();
         s.warnings = run_warnings(case_, s, step_factor_);
         return s;
     }
@@ -315,6 +334,7 @@ private:
     const Case& case_;
     RunObserver& observer_;
     Simulation simulation_;
+    Cycles cycles_;
     RunFiles files_;
     StopCriteria stop_;
     std::optional<TheoryReport> theory_;
@@ -359,6 +379,8 @@ std::string later_end(const Case& c, const std::string& reason, Index steps)
 {
     if (reason == "steady" && c.stop.steady_tolerance)
         return fmt::format("stop.steady_tolerance={:g}", *c.stop.steady_tolerance / 10);
+    if (reason == "periodic" && c.stop.periodic_tolerance)
+        return fmt::format("stop.periodic_tolerance={:g}", *c.stop.periodic_tolerance / 10);
     if (reason == "steps") return fmt::format("stop.steps={}", 2 * steps);
     if (reason != "end time" || !c.stop.end_time) return "";
     const Real end = 2 * *c.stop.end_time * c.scaling.factor(Quantity::time);
@@ -368,8 +390,10 @@ std::string later_end(const Case& c, const std::string& reason, Index steps)
 
 bool has_theory(const Case& c)
 {
-    return !c.drive.has_waveform() && c.drive.gives_pressures() &&
-           (c.tube.rigid || (!may_collapse(c) && c.fluid.reynolds <= largest_theory_reynolds));
+    const bool straight = c.tube.rest_radius.uniform();
+    const bool slow = c.fluid.reynolds <= largest_theory_reynolds;
+    const bool known = c.tube.rigid ? straight || slow : straight && slow && !may_collapse(c);
+    return known && !c.drive.has_waveform() && c.drive.gives_pressures();
 }
 
 Summary run(const Case& c, const RunOptions& options, RunObserver& observer)

@@ -4,6 +4,7 @@
 
 #include "output/checkpoint.hpp"
 #include "output/summary.hpp"
+#include "simulation/cycles.hpp"
 #include "simulation/simulation.hpp"
 
 namespace starling {
@@ -28,7 +29,8 @@ struct Progress {
     const Sample& last;            ///< latest sample
     double wall_seconds;
     double steps_per_second;
-    double seconds_left; ///< estimate; NaN while there is none
+    double seconds_left;       ///< estimate; NaN while there is none
+    const CycleMemory& cycles; ///< of the drive
 };
 
 /// A breakdown after which a run goes on.

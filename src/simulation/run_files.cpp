@@ -29,9 +29,10 @@ void Schedule::go_on(Real t, Real next)
     next_ = same ? next : *every_ * (std::floor(t / *every_) + 1);
 }
 
-RunFiles::RunFiles(const Case& c, const RunDirectoryOptions& directory)
-    : case_(c), directory_(directory), checkpoints_(directory_.path(), c.checkpoint.keep),
-      wall_due_(c.output.wall_every), fluid_due_(c.output.fluid_every)
+RunFiles::RunFiles(const Case& c, const RunDirectoryOptions& directory, const Cycles& cycles)
+    : case_(c), cycles_(cycles), directory_(directory),
+      checkpoints_(directory_.path(), c.checkpoint.keep), wall_due_(c.output.wall_every),
+      fluid_due_(c.output.fluid_every)
 {
 }
 
@@ -175,7 +176,9 @@ void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken
 void RunFiles::finish(const Simulation& simulation, Attempts& attempt)
 {
     attempt([&] {
-        write_profile(directory_.file("profile.csv"), simulation.profile(), case_.scaling);
+        std::vector<ProfileRow> rows = simulation.profile();
+        add_shear(cycles_.memory(), simulation.ring_size(), rows);
+        write_profile(directory_.file("profile.csv"), rows, case_.scaling);
     });
     attempt([&] {
         write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
@@ -208,7 +211,9 @@ void RunFiles::wall(const Simulation& simulation)
 {
     if (!case_.output.wall) return;
     if (!wall_) wall_.emplace(field_options(0));
-    wall_->write(simulation.wall_snapshot());
+    WallSnapshot snapshot = simulation.wall_snapshot();
+    add_shear(cycles_.memory(), snapshot);
+    wall_->write(snapshot);
     wall_step_ = simulation.steps();
 }
 

@@ -9,12 +9,12 @@
 #include "output/series.hpp"
 #include "output/summary.hpp"
 #include "simulation/attempts.hpp"
+#include "simulation/cycles.hpp"
 #include "simulation/simulation.hpp"
+#include "simulation/time_step.hpp"
 #include "theory/theory_report.hpp"
 
 namespace starling {
-
-inline constexpr Real closest_targets = 0.25; ///< in steps: times nearer to each other are one
 
 /// The times at which frames are due: 0 and the multiples of `every`.
 class Schedule {
@@ -35,7 +35,8 @@ private:
 class RunFiles {
 public:
     /// The files of a new run, or with `go_on` those of the run that `memory` is of.
-    RunFiles(const Case& c, const RunDirectoryOptions& directory);
+    /// Case and cycles must outlive it.
+    RunFiles(const Case& c, const RunDirectoryOptions& directory, const Cycles& cycles);
 
     void begin();
     /// All that a run which ends at `step` writes after its last checkpoint, with `memory`, is
@@ -85,6 +86,7 @@ private:
     void fluid(const Simulation& simulation);
 
     const Case& case_;
+    const Cycles& cycles_;
     RunDirectory directory_;
     CheckpointRing checkpoints_;
     std::optional<SeriesWriter> series_;

@@ -39,6 +39,8 @@ std::vector<std::string> run_warnings(const Case& c, const Summary& s, Real step
     if (s.theory && !s.converged)
         found.push_back("the run ended before it was found steady; the one-dimensional model "
                         "is steady");
+    if (c.stop.periodic_tolerance && !s.converged)
+        found.push_back("the run ended before its cycles agreed to the tolerance");
     if (step_factor < 1)
         found.push_back(fmt::format("the run broke down and went on with {:.3g} % of the automatic "
                                     "time step",

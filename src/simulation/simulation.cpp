@@ -38,7 +38,8 @@ WallModel wall_model(const Case& c, Real delta)
             c.tube.smoothing,
             c.material.support,
             c.material.viscosity,
-            small_strain_poisson_ratio(c.material)};
+            small_strain_poisson_ratio(c.material),
+            c.material.stiffness};
 }
 
 namespace {
@@ -201,6 +202,7 @@ const TimeStepLimit& Simulation::limiting() const { return smallest(impl_->limit
 Real Simulation::spacing() const { return impl_->grid.delta(); }
 Index Simulation::cells() const { return impl_->grid.cell_count(); }
 Index Simulation::vertices() const { return impl_->tube.mesh.vertex_count(); }
+VertexIndex Simulation::ring_size() const { return impl_->tube.ring_size; }
 Index Simulation::elements() const { return impl_->tube.mesh.element_count(); }
 
 Sample Simulation::sample()
@@ -216,6 +218,11 @@ std::vector<ProfileRow> Simulation::profile() const { return impl_->monitor.prof
 std::vector<SectionPoint> Simulation::sections() const
 {
     return impl_->monitor.sections(impl_->state);
+}
+
+std::vector<Vec3> Simulation::wall_shear_stress() const
+{
+    return impl_->monitor.wall_shear_stress(impl_->state);
 }
 
 WallSnapshot Simulation::wall_snapshot() const

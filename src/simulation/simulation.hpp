@@ -64,12 +64,15 @@ public:
     Real spacing() const;                  ///< of the grid, the mean over the directions
     Index cells() const;
     Index vertices() const;
+    VertexIndex ring_size() const; ///< vertices of a ring
     Index elements() const;
 
     /// Monitored numbers of the present state; also drives the steadiness test.
     Sample sample();
     std::vector<ProfileRow> profile() const;
     std::vector<SectionPoint> sections() const;
+    /// Of the fluid inside on the wall, in its plane, at each vertex (rho U_c^2).
+    std::vector<Vec3> wall_shear_stress() const;
     WallSnapshot wall_snapshot() const;
     FluidSnapshot fluid_snapshot() const; ///< the part that the case wants
     /// Wall and fluid about a place where the computation broke down, which need not be finite:

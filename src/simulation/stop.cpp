@@ -14,7 +14,8 @@ constexpr Real part_of_a_step = 1e-6; ///< an end time missed by less counts as 
 } // namespace
 
 StopCriteria::StopCriteria(const Case& c)
-    : stop_(c.stop), window_(steady_window(c)), relaxation_(relaxation_time(c))
+    : stop_(c.stop), window_(steady_window(c)), relaxation_(relaxation_time(c)),
+      periodic_at_(unknown)
 {
     if (stop_.steady_tolerance) steady_.emplace(*stop_.steady_tolerance, window_);
 }
@@ -26,6 +27,14 @@ void StopCriteria::add(const Sample& sample)
     const Real measure = steady_->measure();
     if (std::isfinite(measure)) decay_.push_back({sample.t, measure});
     if (steady_->met()) reason_ = "steady";
+}
+
+void StopCriteria::look_at(const Cycles& cycles)
+{
+    if (!stop_.periodic_tolerance || cycles.memory().last.empty()) return;
+    periodic_ = cycles.memory().change <= *stop_.periodic_tolerance;
+    periodic_at_ = cycles.memory().last.back().t + cycles.time_to(*stop_.periodic_tolerance);
+    if (periodic_ && !reason_) reason_ = "periodic";
 }
 
 std::vector<Sample> StopCriteria::memory() const
@@ -69,6 +78,7 @@ double StopCriteria::seconds_left(const Moment& now) const
     const double seconds_per_step =
         now.wall_seconds / static_cast<double>(now.steps - now.first_step);
     double time = time_to_steady(), seconds = unknown;
+    time = std::fmin(time, periodic_at_ - now.t);
     if (stop_.end_time) time = std::fmin(time, *stop_.end_time - now.t);
     if (stop_.steps) seconds = static_cast<double>(*stop_.steps - now.steps) * seconds_per_step;
     if (stop_.wall_clock) seconds = std::fmin(seconds, *stop_.wall_clock - now.wall_seconds);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/cycles.hpp"
 #include "simulation/steady.hpp"
 
 namespace starling {
@@ -23,6 +24,8 @@ public:
 
     /// Takes note of a sample, for the steady criterion.
     void add(const Sample& sample);
+    /// Looks at the cycles, for the periodic criterion.
+    void look_at(const Cycles& cycles);
     /// Samples to keep in a checkpoint.
     std::vector<Sample> memory() const;
     /// Looks at the criteria after a step.
@@ -30,13 +33,13 @@ public:
     /// Ends the run at the user's wish.
     void interrupt();
 
-    /// Why the run ends: "steady", "end time", "steps", "wall clock" or "interrupted"; empty as
-    /// long as it goes on.
+    /// Why the run ends: "steady", "periodic", "end time", "steps", "wall clock" or "interrupted";
+    /// empty as long as it goes on.
     const std::optional<std::string>& reason() const { return reason_; }
-    /// The steady criterion has been met.
-    bool steady() const { return steady_ && steady_->met(); }
-    /// Estimate from the criteria and, for the steady one, from the decay seen so far; NaN where
-    /// nothing can be said.
+    /// The steady or the periodic criterion has been met.
+    bool converged() const { return periodic_ || (steady_ && steady_->met()); }
+    /// Estimate from the criteria and, for the steady and the periodic one, from the decay seen so
+    /// far; NaN where nothing can be said.
     double seconds_left(const Moment& now) const;
 
 private:
@@ -51,6 +54,8 @@ private:
     StopParameters stop_;
     std::optional<SteadyCriterion> steady_;
     Real window_, relaxation_;
+    bool periodic_ = false;
+    Real periodic_at_;         ///< time at which the periodic criterion may be met; NaN: unknown
     std::vector<Point> decay_; ///< finite measures of the steady criterion so far
     std::optional<std::string> reason_;
 };

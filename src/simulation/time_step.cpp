@@ -9,6 +9,9 @@ namespace {
 
 constexpr Real part_of_a_step = 1e-6; ///< differences below are round-off
 
+/// Of the stiffest part of the wall.
+Real least_eps(const Case& c) { return c.material.eps / c.material.stiffness.highest(); }
+
 // Explicit springs and dampers of the tissue: stable up to 2.3 sqrt(Delta/k) and 2.8 Delta/c, where
 // a layer of fluid as thick as the grid's spacing answers. Where viscosity carries the force
 // further within a step, and theta = 1, up to 4.4/(k^2 Re)^(1/3) and 30/(c^2 Re). Half of that.
@@ -50,8 +53,8 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
     // 1.1 sqrt(Re eps Delta^3), for theta = 1/2 too; 0.6 of that. Between, the squares add up.
     if (!c.tube.rigid) {
         const Real narrow = c.coupling.scheme == CouplingScheme::conserving ? 0.625 : 1;
-        const Real viscous = narrow * (theta > 0.75 ? 8 : 2.5) * c.material.eps * spacing;
-        const Real inertial = 0.65 * std::sqrt(Re * c.material.eps * spacing * spacing * spacing);
+        const Real viscous = narrow * (theta > 0.75 ? 8 : 2.5) * least_eps(c) * spacing;
+        const Real inertial = 0.65 * std::sqrt(Re * least_eps(c) * spacing * spacing * spacing);
         limits.push_back({"membrane stiffness", safety * std::hypot(viscous, inertial)});
     }
     // Explicit bending force: the shortest waves of the mesh are the stiffest. Against viscosity
@@ -98,7 +101,7 @@ const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits)
 
 Real grid_wave_time(const Case& c, Real spacing)
 {
-    const Real Re = c.fluid.reynolds, eps = c.material.eps;
+    const Real Re = c.fluid.reynolds, eps = least_eps(c);
     return std::max(8 * eps * spacing, pi * std::sqrt(Re * eps * spacing * spacing * spacing));
 }
 

@@ -7,6 +7,8 @@
 
 namespace starling {
 
+inline constexpr Real closest_targets = 0.25; ///< in steps: times nearer to each other are one
+
 /// A bound on the time step and what it comes from ("membrane stiffness", "advection", ...).
 struct TimeStepLimit {
     std::string name;
@@ -21,7 +23,8 @@ std::vector<TimeStepLimit> time_step_limits(const Case& c, Real spacing, Real u_
 const TimeStepLimit& smallest(const std::vector<TimeStepLimit>& limits);
 
 /// Time in which waves of the wall as short as the grid spacing relax, about 8 eps Delta, or half
-/// their period, pi sqrt(Re eps Delta^3), where inertia carries them (R_0/U_c).
+/// their period, pi sqrt(Re eps Delta^3), where inertia carries them (R_0/U_c); eps of its stiffest
+/// part.
 Real grid_wave_time(const Case& c, Real spacing);
 
 /// A step of at most `dt` (to within a millionth) such that equal steps lead to a time `remaining`

@@ -1,3 +1,3 @@
 starling_module(solver
-  SOURCES advance.cpp monitor.cpp power_balance.cpp snapshot.cpp
+  SOURCES advance.cpp cycle.cpp monitor.cpp power_balance.cpp snapshot.cpp
   DEPENDS starling_immersed_boundary)

@@ -86,19 +86,20 @@ void Monitor::add_narrowest_section(const Array<Vec3>& x, Sample& a) const
     Index narrowest = 0;
     Real least = std::numeric_limits<Real>::max();
     for (Index ring = 0; ring < tube_->rings(); ++ring) {
-        const Real area = ring_area(*tube_, x, ring);
-        if (area < least) least = area, narrowest = ring;
+        const Real ratio = ring_area(*tube_, x, ring) / undeformed_area(ring);
+        if (ratio < least) least = ratio, narrowest = ring;
     }
-    a.min_area_ratio = least / undeformed_area();
+    a.min_area_ratio = least;
     a.x_min_area = tube_->ring_x[static_cast<std::size_t>(narrowest)];
     a.lobes = radius_modes(*tube_, x, narrowest).lobes();
 }
 
 /// Of the polygon through a ring's vertices.
-Real Monitor::undeformed_area() const
+Real Monitor::undeformed_area(Index ring) const
 {
     const auto n = static_cast<Real>(tube_->ring_size);
-    return n / 2 * std::sin(2 * pi / n);
+    const Real R = tube_->ring_radius[static_cast<std::size_t>(ring)];
+    return R * R * n / 2 * std::sin(2 * pi / n);
 }
 
 namespace {
@@ -171,8 +172,7 @@ Real Monitor::transmural_pressure(const State& s, VertexIndex v) const
     return P(x[v] - inside * normal) - P(x[v] + beyond * normal);
 }
 
-/// Magnitude of mu d(u_tangential)/dn at the inner side, from probes 1.5 and 3 spacings inside.
-Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
+Vec3 Monitor::wall_shear_stress(const State& s, VertexIndex v) const
 {
     const Vec3 n = outward_normal(v), U = s.wall.velocity[v];
     const Real step = 1.5 * grid_.delta();
@@ -184,7 +184,18 @@ Real Monitor::wall_shear_stress(const State& s, VertexIndex v) const
         const Vec3 d = u - U;
         return d - dot(d, n) * n;
     };
-    return inv_reynolds_ * norm((1 / (2 * step)) * (4 * slip(step) - slip(2 * step)));
+    return (inv_reynolds_ / (2 * step)) * (4 * slip(step) - slip(2 * step));
+}
+
+std::vector<Vec3> Monitor::wall_shear_stress(const State& s)
+{
+    geometry_.update(s.wall.x);
+    std::vector<Vec3> stress(static_cast<std::size_t>(s.wall.x.size()));
+    Vec3* at = stress.data();
+    for_range(0, s.wall.x.size(), [this, &s, at](Index v) {
+        at[v] = wall_shear_stress(s, static_cast<VertexIndex>(v));
+    });
+    return stress;
 }
 
 namespace {
@@ -328,15 +339,18 @@ WallSnapshot Monitor::wall(const State& s, const Array<Vec3>& elastic_force)
         }));
     a.at_vertex.push_back(
         make_array("wall_shear_stress", Quantity::shear_stress, 1, vertices, [&](Index v, int) {
-            return wall_shear_stress(s, static_cast<VertexIndex>(v));
+            return norm(wall_shear_stress(s, static_cast<VertexIndex>(v)));
         }));
     const auto stretch = [&](Index e) {
         return elastic_->stretches(x, static_cast<ElementIndex>(e));
     };
     const auto tension = [&](Index e) {
         const std::array<Real, 2> lambda = stretch(e);
-        return std::visit([&](const auto& law) { return law.tensions(lambda[0], lambda[1]); },
-                          elastic_->material());
+        const Tensions tau =
+            std::visit([&](const auto& law) { return law.tensions(lambda[0], lambda[1]); },
+                       elastic_->material());
+        const Real k = elastic_->stiffness(static_cast<ElementIndex>(e));
+        return Tensions{k * tau.tau1, k * tau.tau2};
     };
     a.at_element.push_back(make_array("lambda1", Quantity::none, 1, elements,
                                       [&](Index e, int) { return stretch(e)[0]; }));

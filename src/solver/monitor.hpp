@@ -29,6 +29,9 @@ public:
     /// Without what takes a look at the fluid: also of a wall that is not finite.
     WallSnapshot wall_motion(const State& s, const Array<Vec3>& elastic_force) const;
     FluidSnapshot fluid(const State& s) const;
+    /// Stress of the fluid inside on the wall, in its plane, at each vertex (rho U_c^2):
+    /// mu d(u - U)/dn along the inward normal, from probes 1.5 and 3 spacings inside.
+    std::vector<Vec3> wall_shear_stress(const State& s);
 
 private:
     struct Ring {
@@ -36,12 +39,12 @@ private:
     };
     Ring ring_radius(const Array<Vec3>& x, Index ring) const;
     void add_narrowest_section(const Array<Vec3>& x, Sample& a) const;
-    Real undeformed_area() const;
+    Real undeformed_area(Index ring) const;
     void find_positions_before(const State& s);
     Real volume_rate(const State& s);
     std::vector<Real> leak_up_to_rings(const State& s);
     Real transmural_pressure(const State& s, VertexIndex v) const;
-    Real wall_shear_stress(const State& s, VertexIndex v) const;
+    Vec3 wall_shear_stress(const State& s, VertexIndex v) const;
     Vec3 outward_normal(VertexIndex v) const;
 
     Grid grid_;

@@ -1,6 +1,7 @@
 #pragma once
 /// What a run reports: one sample in time, one profile along x, snapshots of wall and fluid.
 /// All numbers are in solver (dimensionless) units.
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ struct ProfileRow {
     Index lobes = 0;       ///< 0: round
     /// Amplitudes of cos and sin(n theta) in the radius at the vertices' undeformed angles.
     Real mode_2 = 0, mode_3 = 0, mode_4 = 0, mode_5 = 0, mode_6 = 0, mode_7 = 0, mode_8 = 0;
+    /// Means over the ring of the time-averaged wall shear stress and the oscillatory shear index
+    /// of the last cycle; NaN where there is none.
+    Real TAWSS = std::numeric_limits<Real>::quiet_NaN();
+    Real OSI = std::numeric_limits<Real>::quiet_NaN();
 };
 
 /// One row of sections.csv: a wall vertex in its cross-section.

@@ -35,8 +35,9 @@ struct WallModel {
     Real filter_rate = 0; ///< of the mesh filter (U_c/R_0)
     Real smoothing = 0;   ///< alpha of the smoothing velocity (U_c R_0^3)
     TissueParameters tissue = {};
-    Real mu_s = 0; ///< membrane viscosity (rho U_c R_0^2)
-    Real nu_s = 0; ///< Poisson ratio of the viscosity
+    Real mu_s = 0;         ///< membrane viscosity (rho U_c R_0^2)
+    Real nu_s = 0;         ///< Poisson ratio of the viscosity
+    AlongX stiffness = {}; ///< factor on the material's tensions
 };
 
 /// Holds references to `tube`, which must outlive it.
@@ -57,7 +58,7 @@ struct Operators {
 
     Operators(const Grid& g, const Tube& tube_, const WallModel& wall, const FluidParameters& fluid,
               const DriveParameters& drive, CouplingScheme scheme)
-        : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material),
+        : tube(tube_), geometry(tube.mesh), elastic(tube, wall.material, wall.stiffness),
           viscosity(tube, wall.mu_s, wall.nu_s), bending(tube, wall.E_b),
           contact(tube, wall.contact), tissue(tube, wall.tissue),
           support(tube, supports_rigid_parts(scheme), fluid.reynolds, g.delta()),

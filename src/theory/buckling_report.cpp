@@ -105,6 +105,8 @@ std::string tube_law_text(const BucklingReport& r, const Scaling& scaling)
 std::optional<BucklingReport> buckling_report(const TubeProblem& problem)
 {
     if (problem.tube.rigid || !(problem.material.bending > 0)) return std::nullopt;
+    if (!problem.tube.rest_radius.uniform() || !problem.material.stiffness.uniform())
+        return std::nullopt;
     if (problem.material.support.stiffness > 0) return std::nullopt; // it would raise the loads
     const Real E_b = bending_modulus(problem.material, problem.fluid.reynolds);
     const BucklingTube tube{make_material(problem.material, problem.fluid.reynolds), E_b,

@@ -25,6 +25,11 @@ RingForces ring_forces(const Law& law, Real least_tension, Real R, Real R_prime)
     return {lambda2 * tau1 * slope / lambda1, lambda1 * tau.tau2};
 }
 
+RingForces times(Real k, const RingForces& f)
+{
+    return {Dual(k) * f.axial_force, Dual(k) * f.hoop_force};
+}
+
 Dual fourth_power(const Dual& R) { return R * R * R * R; }
 
 /// -dP/dx over the gradient of the rigid ends: Poiseuille's, longer by the slope.
@@ -55,7 +60,7 @@ struct ExtraPressure {
 struct ElementState {
     Real h = 0;
     Pair R{}, P{}; ///< P transmural
-    Real gradient = 0, inertia = 0, support = 0;
+    Real gradient = 0, inertia = 0, support = 0, stiffness = 1;
 };
 
 /// Virtual work of one element between its nodes 0 and 1 for dR at each, and its derivatives.
@@ -74,7 +79,8 @@ Element element(const Law& law, Real least_tension, const ElementState& s)
     Element e;
     for (std::size_t a : {0u, 1u}) { // the two points of the trapezoidal rule
         const Dual R = Dual::first(s.R[a]);
-        const RingForces f = ring_forces(law, least_tension, s.R[a], slope);
+        const RingForces f =
+            times(s.stiffness, ring_forces(law, least_tension / s.stiffness, s.R[a], slope));
         const ExtraPressure extra(R, Dual::second(slope), s.inertia);
         const Dual radial =
             f.hoop_force + Dual(s.support) * (R - 1) - (s.P[a] + extra.value(s.gradient)) * R;
@@ -122,10 +128,12 @@ struct ClampedMembrane::System {
 };
 
 ClampedMembrane::ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet,
-                                 Material law, Real inertia, Real support)
+                                 Material law, Real inertia, Real support, const AlongX& stiffness)
     : x_(std::move(x)), rigid_inlet_(rigid_inlet), rigid_outlet_(rigid_outlet), law_(law),
       inertia_(inertia), support_(support)
 {
+    for (std::size_t i = 0; i + 1 < x_.size(); ++i)
+        stiffness_.push_back(stiffness((x_[i] + x_[i + 1]) / 2));
 }
 
 MembraneState ClampedMembrane::undeformed() const
@@ -150,7 +158,8 @@ void ClampedMembrane::add_ring_balance(const Law& law, const MembraneLoad& load,
                                    .P = {transmural(i), transmural(j)},
                                    .gradient = state.gradient,
                                    .inertia = inertia_,
-                                   .support = support_});
+                                   .support = support_,
+                                   .stiffness = stiffness_[i]});
         system.residual[i][0] += e.residual[0];
         system.residual[j][0] += e.residual[1];
         diagonal[i][0][0] += e.dR[0][0];

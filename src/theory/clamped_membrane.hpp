@@ -31,8 +31,9 @@ public:
     /// 1 - 1/R^4 and the square of the gradient is the pressure that inertia adds: to first order
     /// in the slope it is the dynamic pressure (Q/pi)^2 over that square, (Re/8)^2 in units of G_s;
     /// `support` is the stiffness of the tissue around per undeformed area, in G_s/R_0^2.
+    /// `stiffness` is a factor on the law's tensions along x.
     ClampedMembrane(std::vector<Real> x, Real rigid_inlet, Real rigid_outlet, Material law,
-                    Real inertia, Real support);
+                    Real inertia, Real support, const AlongX& stiffness = {});
 
     MembraneState undeformed() const;
 
@@ -61,6 +62,7 @@ private:
     Real rigid_inlet_, rigid_outlet_;
     Material law_;
     Real inertia_, support_;
+    std::vector<Real> stiffness_; ///< in the middle of each element
 };
 
 } // namespace starling

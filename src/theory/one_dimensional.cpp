@@ -48,7 +48,8 @@ ClampedMembrane membrane(const TubeProblem& problem, Index intervals, Real share
             problem.tube.rigid_outlet,
             make_material(problem.material, 1 / problem.material.eps), // G_s = 1
             share * Re * Re / 64 * G_s,
-            problem.material.support.stiffness / G_s};
+            problem.material.support.stiffness / G_s,
+            problem.material.stiffness};
 }
 
 /// The load of `problem` times `fraction`, in units of G_s.
@@ -218,8 +219,31 @@ bool settle(const PartOfInertia& p, const ClampedMembrane& tube, MembraneState& 
     return false;
 }
 
+/// Lubrication: -dP/dx = 8 Q/(pi Re R^4), by the trapezoidal rule.
+OneDimensionalTube rigid_tube_of_varying_radius(const TubeProblem& problem)
+{
+    constexpr Index intervals = 4000;
+    const Real L = problem.tube.length, dx = L / intervals;
+    OneDimensionalTube tube;
+    std::vector<Real> resistance; // integral of 1/R^4 from the inlet
+    for (Index i = 0; i <= intervals; ++i) {
+        tube.x.push_back(L * static_cast<Real>(i) / intervals);
+        tube.R.push_back(problem.tube.rest_radius(tube.x.back()));
+        const auto inverse = [&](std::size_t n) { return std::pow(tube.R[n], -4); };
+        const std::size_t n = tube.R.size() - 1;
+        resistance.push_back(n == 0 ? 0
+                                    : resistance.back() + dx / 2 * (inverse(n - 1) + inverse(n)));
+    }
+    const Real drop = problem.pressure_drop() / resistance.back();
+    for (Real r : resistance) tube.P.push_back(problem.drive.pressure_inlet - drop * r);
+    tube.Q = pi * problem.fluid.reynolds / 8 * drop;
+    find_largest_radius(tube);
+    return tube;
+}
+
 OneDimensionalTube rigid_tube(const TubeProblem& problem)
 {
+    if (!problem.tube.rest_radius.uniform()) return rigid_tube_of_varying_radius(problem);
     const DriveParameters& d = problem.drive;
     const Real L = problem.tube.length;
     return {.x = {0, L},
@@ -260,11 +284,19 @@ OneDimensionalTube tube_of(const TubeProblem& problem, const ClampedMembrane& me
     return tube;
 }
 
+void refuse_varying_rest_radius(const TubeProblem& problem)
+{
+    if (!problem.tube.rest_radius.uniform())
+        throw InputError("the one-dimensional model has no wall whose rest radius varies along x "
+                         "([rest_radius]), unless the tube is rigid");
+}
+
 } // namespace
 
 OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals)
 {
     if (problem.tube.rigid) return rigid_tube(problem);
+    refuse_varying_rest_radius(problem);
     const MembraneState state = solve_membrane(problem, intervals);
     return tube_of(problem, membrane(problem, intervals), state, {});
 }
@@ -272,6 +304,7 @@ OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index inter
 OneDimensionalTube solve_marched(const TubeProblem& problem, Index intervals)
 {
     if (problem.tube.rigid) return rigid_tube(problem);
+    refuse_varying_rest_radius(problem);
     constexpr Real smallest_step = 0.02;
     MembraneState state = load_up(problem, membrane(problem, intervals, 0));
     MembraneLoad load = membrane_load(problem, 1);

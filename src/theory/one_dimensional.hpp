@@ -23,8 +23,10 @@ struct OneDimensionalTube {
 };
 
 /// Solves the model with 2 x `intervals` elements in the deforming part and, to raise the order
-/// from two to four, with `intervals`; about 20 ms. A rigid tube gives Poiseuille flow. Throws
-/// NumericalError if loading from zero to the given pressures in small steps meets no solution.
+/// from two to four, with `intervals`; about 20 ms. A rigid tube gives Poiseuille flow, section by
+/// section where its radius varies. Throws InputError where the wall deforms about a rest radius
+/// that varies, NumericalError if loading from zero to the given pressures in small steps meets no
+/// solution.
 OneDimensionalTube solve_one_dimensional(const TubeProblem& problem, Index intervals = 1000);
 
 /// The same with inertia to all orders in Re times the slope: the profile of the velocity is

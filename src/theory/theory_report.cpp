@@ -20,7 +20,8 @@ bool has_inertia(const TubeProblem& problem) { return problem.fluid.reynolds > 1
 /// Transmural pressure over E'h.
 Real P_bar(const TheoryReport& r, Real x)
 {
-    return (r.tube.P_at(x) - r.problem.drive.pressure_external) / r.modulus;
+    return (r.tube.P_at(x) - r.problem.drive.pressure_external) /
+           (r.modulus * r.problem.material.stiffness(x));
 }
 
 /// Eqs. (55)-(57) over Q_0 with the model's pressures, from its largest radius to the outlet clamp.
@@ -78,6 +79,7 @@ std::string model_text(const TheoryReport& r, const Scaling& scaling)
     add_line(text, "largest slope |dR/dx|", r.max_slope);
     add_line(text, "pressure at the inlet clamp", r.P_clamp_inlet * p, pressure);
     add_line(text, "pressure at the outlet clamp", r.P_clamp_outlet * p, pressure);
+    if (!r.problem.material.stiffness.uniform()) return text; // Eqs. (55)-(57) are of one modulus
     text += "Q/Q_0 of the laws, from the largest radius to the outlet clamp\n";
     add_line(text, "law of Laplace, Eq. (55)", r.law_Q_over_Q0[0]);
     add_line(text, "Anand-Christov, Eq. (56)", r.law_Q_over_Q0[1]);

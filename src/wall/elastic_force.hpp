@@ -8,7 +8,8 @@ namespace starling {
 /// Forces of all elements that touch a vertex that may move, summed at the vertices.
 class ElasticForce {
 public:
-    ElasticForce(const Tube& tube, const Material& material);
+    /// `stiffness` is a factor on the law's tensions and energy, per element at its middle.
+    ElasticForce(const Tube& tube, const Material& material, const AlongX& stiffness = {});
 
     /// f = elastic force on each vertex (a force, not a density), from the first Piola-Kirchhoff
     /// stress, Eq. (15). Zero on vertices without an element that can deform.
@@ -25,10 +26,13 @@ public:
     std::array<Real, 2> stretches(const Array<Vec3>& x, ElementIndex e) const;
 
     const Material& material() const { return material_; }
+    /// The factor of an element on the tensions of the law.
+    Real stiffness(ElementIndex e) const { return stiffness_[e]; }
 
 private:
     Material material_;
     ElementForces elements_;
+    Array<Real> stiffness_; ///< of each element
 };
 
 } // namespace starling

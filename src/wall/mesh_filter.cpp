@@ -19,6 +19,7 @@ void MeshFilter::find_volume_back(const Geometry& geometry)
     const Vec3* X = tube_->X.data() + high_pass_.first();
     const Across* waves = high_pass_.values();
     const Index size = tube_->ring_size;
+    const Real* radius = tube_->ring_radius.data() + tube_->moving_rings().begin;
     Real* back = back_.data();
     for_planes(0, back_.size(), [=](Index ring) {
         Real volume = 0, squares = 0, area_outward = 0, waves_outward = 0;
@@ -28,7 +29,8 @@ void MeshFilter::find_volume_back(const Geometry& geometry)
             area_outward += A[n].y * X[n].y + A[n].z * X[n].z;
             waves_outward += waves[n].y * X[n].y + waves[n].z * X[n].z;
         }
-        back[ring] = (volume - area_outward * waves_outward / static_cast<Real>(size)) / squares;
+        const Real outward = static_cast<Real>(size) * radius[ring] * radius[ring];
+        back[ring] = (volume - area_outward * waves_outward / outward) / squares;
     });
 }
 

@@ -50,12 +50,14 @@ Tube make_tube(const TubeParameters& p, Real edge)
 
     tube.ring_size = static_cast<VertexIndex>(2 * std::max<Index>(3, std::llround(pi / edge)));
     const VertexIndex n = tube.ring_size;
+    for (Real x : tube.ring_x) tube.ring_radius.push_back(p.rest_radius(x));
     std::vector<std::array<VertexIndex, 3>> elements;
     for (VertexIndex r = 0; r < static_cast<VertexIndex>(tube.rings()); ++r)
         for (VertexIndex t = 0; t < n; ++t) {
             const Real theta = 2 * pi * (t + 0.5 * (r % 2)) / n;
-            tube.X.push_back(
-                {tube.ring_x[static_cast<std::size_t>(r)], std::cos(theta), std::sin(theta)});
+            const Real radius = tube.ring_radius[static_cast<std::size_t>(r)];
+            tube.X.push_back({tube.ring_x[static_cast<std::size_t>(r)], radius * std::cos(theta),
+                              radius * std::sin(theta)});
             if (r + 1 < static_cast<VertexIndex>(tube.rings())) append_elements(elements, r, t, n);
         }
     tube.mesh = WallMesh(static_cast<VertexIndex>(tube.X.size()), std::move(elements));

@@ -12,12 +12,14 @@ struct RingRange {
     Index begin = 0, end = 0;
 };
 
-/// A triangulated tube of radius 1 about the x axis. Vertices are numbered ring by ring with
-/// ascending x: vertex = ring * ring_size + position. Vertices never leave their x.
+/// A triangulated tube about the x axis, of radius 1 but where the rest radius varies. Vertices are
+/// numbered ring by ring with ascending x: vertex = ring * ring_size + position. Vertices never
+/// leave their x.
 struct Tube {
     WallMesh mesh;
     std::vector<Vec3> X;               ///< undeformed positions
     std::vector<Real> ring_x;          ///< x of each ring; a ring lies exactly on each clamp
+    std::vector<Real> ring_radius;     ///< undeformed radius of each ring
     VertexIndex ring_size = 0;         ///< vertices per ring, even
     Index clamp_in = 0, clamp_out = 0; ///< rings on the clamps; rings strictly between may move
 

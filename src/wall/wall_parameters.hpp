@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/types.hpp"
+#include "wall/along_x.hpp"
 
 namespace starling {
 
@@ -16,6 +17,7 @@ struct TubeParameters {
     Real smoothing = 0;            ///< alpha of the smoothing velocity (U_c R_0^3)
     Real mesh_filter =
         1; ///< rate of the filter of the shortest waves, over that of the grid's waves
+    AlongX rest_radius = {}; ///< undeformed radius over R_0; 1 at both ends of the tube
 };
 
 enum class ElasticLaw { hooke, neo_hookean, mooney_rivlin, skalak };
@@ -40,6 +42,7 @@ struct MaterialParameters {
     Real bending = 0;   ///< B = E_b/(R_0^2 G_s); 0: a membrane
     Real viscosity = 0; ///< mu_s of the wall, in its plane (rho U_c R_0^2); 0: purely elastic
     TissueParameters support = {}; ///< tissue around the deforming part
+    AlongX stiffness = {};         ///< factor on G_s, and so on the tensions
 };
 
 /// A small deviation of the wall from the circular tube at t = 0, which chooses how it buckles.

@@ -362,9 +362,10 @@ COLLAPSE = [str(SOURCE / "cases" / "collapse_mode3.toml"), "--set", "grid.spacin
             "vessel.rigid_outlet=0.55"]
 
 PULSATILE = [*COARSE, *(word for setting in (
-    "drive.ramp=1", "inlet_waveform.amplitude=300", "inlet_waveform.period=3",
-    "inlet_waveform.sine=[1, 0.3]", "external_waveform.amplitude=20", "external_waveform.times=[0, 1]",
-    "external_waveform.values=[0, 1]", "external_waveform.time_scale=1", "stop.steady_tolerance=")
+    "drive.ramp=0.2", "inlet_waveform.amplitude=300", "inlet_waveform.period=1",
+    "inlet_waveform.sine=[1, 0.3]", "external_waveform.amplitude=20", "external_waveform.times=[0, 0.6]",
+    "external_waveform.values=[0, 1]", "external_waveform.period=0.5", "time.cycle_samples=12",
+    "stop.steady_tolerance=")
     for word in ("--set", setting))]
 
 

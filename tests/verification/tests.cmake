@@ -11,6 +11,12 @@ starling_test(coupling_verification verification
 starling_test(buckling_verification verification
   SOURCES verification/buckling_onset_test.cpp
   DEPENDS starling_simulation starling_theory)
+starling_test(wall_shear_verification verification
+  SOURCES verification/wall_shear_test.cpp
+  DEPENDS starling_simulation)
+starling_test(along_x_verification verification
+  SOURCES verification/along_x_test.cpp
+  DEPENDS starling_simulation starling_theory)
 
 # The independent reference of the clamped tube, one test per class of the script.
 foreach(subject Poiseuille StokesFlowInACone Inertia Wall Coupled Tool)

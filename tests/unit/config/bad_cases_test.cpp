@@ -509,6 +509,23 @@ TEST(BadCases, ADriveWithAWaveformIsNeverSteady)
     EXPECT_EQ(problems[0].key, "stop.end_time");
 }
 
+TEST(BadCases, OnlyADriveThatRepeatsBecomesPeriodic)
+{
+    const std::string periodic = changed(good_case, "end_time = 1.0", "periodic_tolerance = 0.01");
+    const std::string series = "[inlet_waveform]\namplitude = 1.0\nperiod = 1.0\nsine = [1]\n";
+    const std::string table = "[inlet_waveform]\namplitude = 1.0\ntime_scale = 1.0\n"
+                              "times = [0, 1]\nvalues = [0, 1]\n";
+    const std::string other =
+        "[outlet_waveform]\namplitude = 1.0\nperiod = 1.41421356\nsine = [1]\n";
+    EXPECT_TRUE(problems_of(periodic + series).empty());
+    for (const std::string& drive : {std::string(), table, series + other})
+        EXPECT_TRUE(holds(problems_of(periodic + drive), 25, "stop.periodic_tolerance", "period"))
+            << drive;
+    const std::string few =
+        changed(periodic, "step = \"auto\"", "step = \"auto\"\ncycle_samples = 7");
+    EXPECT_TRUE(holds(problems_of(few + series), 24, "time.cycle_samples", "at least 8"));
+}
+
 TEST(BadCases, EndsThatAreGivenTwice)
 {
     const std::string flow = std::string(good_case) + "[inlet_flow]\nmean = 1.0\n";

@@ -53,7 +53,7 @@ TEST(CaseKeys, AreUnique)
 {
     std::set<std::string> names;
     for (const KeyRule& rule : case_keys()) EXPECT_TRUE(names.insert(rule.name()).second);
-    EXPECT_EQ(case_sections().size(), 16U);
+    EXPECT_EQ(case_sections().size(), 18U);
 }
 
 TEST(Range, HoldsItsBoundsUnlessTheyAreOpen)

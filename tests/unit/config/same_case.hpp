@@ -51,7 +51,7 @@ inline std::vector<std::uint64_t> bits(const Case& c)
                    c.material.viscosity})
         real(x);
     for (const auto& x : {c.time.step, c.stop.end_time, c.stop.steady_tolerance, c.stop.wall_clock,
-                          c.output.wall_every, c.output.fluid_every})
+                          c.stop.periodic_tolerance, c.output.wall_every, c.output.fluid_every})
         maybe(x);
     maybe(c.perturbation.mode);
     integer(c.perturbation.seed);
@@ -70,7 +70,16 @@ inline std::vector<std::uint64_t> bits(const Case& c)
             for (Real x : *numbers) real(x);
         }
     }
+    for (const AlongX* a : {&c.tube.rest_radius, &c.material.stiffness}) {
+        integer(a->shape);
+        for (Real x : {a->position, a->length, a->change}) real(x);
+        for (const auto* numbers : {&a->x, &a->values}) {
+            integer(numbers->size());
+            for (Real x : *numbers) real(x);
+        }
+    }
     integer(c.checkpoint.keep);
+    integer(c.time.cycle_samples);
     integer(c.grid.cells.has_value());
     if (c.grid.cells)
         for (Index n : *c.grid.cells) integer(n);

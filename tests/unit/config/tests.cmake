@@ -1,5 +1,6 @@
 starling_test(test_config unit
   SOURCES
+    unit/config/along_x_test.cpp
     unit/config/bad_cases_test.cpp
     unit/config/case_keys_test.cpp
     unit/config/fuzz_test.cpp

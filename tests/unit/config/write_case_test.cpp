@@ -64,6 +64,14 @@ TEST(WriteCase, ReadsViscosityAndTissueOfTheWallBackToTheSameBits)
                         "wall.surface_viscosity=0.7 mPa s m"}));
 }
 
+TEST(WriteCase, ReadsWhatFollowsCyclesBackToTheSameBits)
+{
+    expect_round_trip(read_case_text(good_case, "good",
+                                     {"inlet_waveform.amplitude=3.1", "inlet_waveform.period=0.3",
+                                      "inlet_waveform.sine=[1]", "stop.periodic_tolerance=0.003",
+                                      "time.cycle_samples=77"}));
+}
+
 TEST(WriteCase, ReadsADriveThatChangesInTimeBackToTheSameBits)
 {
     const std::vector<std::vector<std::string>> changes = {

@@ -83,6 +83,24 @@ TEST(Waveform, KnowsItsBoundsAndWhatResolvesIt)
     EXPECT_TRUE(std::isinf(Waveform{}.resolution()));
 }
 
+TEST(Drive, RepeatsAfterTheCommonPeriodOfItsWaveforms)
+{
+    DriveParameters d;
+    EXPECT_EQ(d.period(), 0) << "a steady drive";
+    d.inlet_waveform = {.amplitude = 1, .period = 3, .sine = {1}};
+    EXPECT_EQ(d.period(), 3);
+    d.external_waveform = {.amplitude = 1, .period = 2, .sine = {1}};
+    EXPECT_EQ(d.period(), 6);
+    d.inlet_flow.waveform = {.amplitude = 1, .period = 0.6, .times = {0, 0.3}, .values = {0, 1}};
+    EXPECT_EQ(d.period(), 6);
+    d.external_waveform.period = std::sqrt(2.);
+    EXPECT_EQ(d.period(), 0) << "periods that never meet";
+    d.external_waveform = {.amplitude = 1, .times = {0, 1}, .values = {0, 1}};
+    EXPECT_EQ(d.period(), 0) << "a table that does not repeat";
+    d.external_waveform.amplitude = 0;
+    EXPECT_EQ(d.period(), 3) << "which does nothing now";
+}
+
 TEST(Drive, IsBoundedByTheSteadyOnesThatWidenAndNarrowTheTubeMost)
 {
     DriveParameters d{3, 1, 0.5};

@@ -29,6 +29,16 @@ struct ExampleCheckpoint {
         memory.wall_seconds = 12.5;
         memory.phase_seconds = {3, 4.5};
         memory.step_factor = 0.5;
+        memory.cycles.period = 0.1;
+        memory.cycles.per_cycle = 3;
+        memory.cycles.next = 14;
+        memory.cycles.cycles = 4;
+        memory.cycles.change = 0.01;
+        memory.cycles.last.resize(3);
+        memory.cycles.last[2].P_out = 0.9;
+        memory.cycles.shear_last.add(std::vector<Vec3>{{1, 2, 2}, {0, 0.5, 0}});
+        memory.cycles.current.resize(1);
+        memory.cycles.current[0].step = 42;
     }
     RunRecord record(const std::string& case_text) const
     {

@@ -111,6 +111,18 @@ TEST(ResultData, SetsTheRunBesideTheory)
     EXPECT_NEAR(rows[2]["theory"].get<Real>(), 0.2, 1e-15);
 }
 
+TEST(ResultData, ShowsTheLastCycleOfAPeriodicDrive)
+{
+    const Json summary = {{"Q_mid", 3.0},
+                          {"units", {{"Q_mid", "m^3/s"}}},
+                          {"cycle", {{"Q_mid", {{"mean", 2.0}, {"min", -1.0}, {"max", 4.0}}}}}};
+    const Json rows = result_data(summary, {}, shipped("inflation"));
+    std::vector<Real> found;
+    for (const Json& row : rows)
+        if (row["unit"] == "m^3/s") found.push_back(row["value"]);
+    EXPECT_EQ(found, (std::vector<Real>{3, 2, -1, 4}));
+}
+
 TEST(ResultData, TakesTheLastRowWhereTheRunHasNotEnded)
 {
     const TableContents series{{{"Q_mid", "m^3/s", {1, 2}}, {"min_area_ratio", "1", {1, 0.5}}}};

@@ -72,7 +72,7 @@ TEST(StopCriteria, WithoutASteadyToleranceARunIsNeverSteady)
         stop.add(s);
     }
     EXPECT_FALSE(stop.reason());
-    EXPECT_FALSE(stop.steady());
+    EXPECT_FALSE(stop.converged());
 }
 
 TEST(StopCriteria, TimeLeftFollowsTheNearestCriterion)

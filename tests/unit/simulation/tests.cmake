@@ -1,5 +1,5 @@
 starling_test(simulation_unit unit
-  SOURCES unit/simulation/steady_test.cpp unit/simulation/stop_test.cpp
+  SOURCES unit/simulation/cycles_test.cpp unit/simulation/steady_test.cpp unit/simulation/stop_test.cpp
           unit/simulation/estimate_test.cpp unit/simulation/time_step_test.cpp
           unit/simulation/collapse_test.cpp unit/simulation/inertia_test.cpp
           unit/simulation/resume_test.cpp unit/simulation/soundness_test.cpp

@@ -308,6 +308,36 @@ TEST(OneDimensional, UnloadedAndRigidTubesCarryPoiseuilleFlow)
     EXPECT_NEAR(t.P_at(p.tube.length / 4), 0.75 * p.drive.pressure_inlet, 1e-10);
 }
 
+TEST(OneDimensional, ARigidTubeOfVaryingRadiusResistsByTheIntegralOfItsInverseFourthPower)
+{
+    TubeProblem p = inflation(ElasticLaw::hooke, 0.02, 1);
+    p.tube.length = 10;
+    p.tube.rest_radius = {.shape = AlongX::Shape::bump, .position = 5, .length = 4, .change = -0.4};
+    EXPECT_THROW(solve_one_dimensional(p), InputError) << "a wall that deforms about it";
+    p.tube.rigid = true;
+    const OneDimensionalTube t = solve_one_dimensional(p);
+    // mean of 1/(1 - c (1 + cos s)/2)^4 over a turn, with a = 1 - c/2 and b = c/2, is
+    // (2 a^3 + 3 a b^2)/(2 (a^2 - b^2)^(7/2))
+    const Real a = 0.8, b = 0.2;
+    const Real mean = (2 * a * a * a + 3 * a * b * b) / (2 * std::pow(a * a - b * b, 3.5));
+    const Real Re = p.fluid.reynolds;
+    EXPECT_NEAR(t.Q, pi * Re / 8 * p.drive.pressure_inlet / (6 + 4 * mean), 1e-6 * t.Q);
+    EXPECT_NEAR(t.P_at(5), p.drive.pressure_inlet / 2, 1e-9 * p.drive.pressure_inlet);
+    EXPECT_NEAR(t.R_at(5), 0.6, 1e-12);
+}
+
+TEST(OneDimensional, AStiffnessThatIsTwiceAsHighEverywhereIsHalfTheEps)
+{
+    TubeProblem p = inflation(ElasticLaw::hooke, 0.02, 1), half = p;
+    p.material.stiffness.shape = AlongX::Shape::table;
+    p.material.stiffness.x = {0};
+    p.material.stiffness.values = {2};
+    half.material.eps = 0.01;
+    const OneDimensionalTube a = solve_one_dimensional(p), b = solve_one_dimensional(half);
+    EXPECT_NEAR(a.Q, b.Q, 1e-9);
+    EXPECT_NEAR(a.R_max, b.R_max, 1e-9);
+}
+
 TEST(OneDimensional, WorksWithoutRigidEnds)
 {
     TubeProblem p = inflation(ElasticLaw::hooke, 0.02, 1);

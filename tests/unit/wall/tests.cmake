@@ -1,5 +1,5 @@
 starling_test(wall_unit unit
-  SOURCES unit/wall/materials_test.cpp unit/wall/wall_mesh_test.cpp unit/wall/tube_test.cpp
+  SOURCES unit/wall/along_x_test.cpp unit/wall/materials_test.cpp unit/wall/wall_mesh_test.cpp unit/wall/tube_test.cpp
           unit/wall/geometry_test.cpp unit/wall/cross_section_test.cpp
           unit/wall/elastic_force_test.cpp unit/wall/mesh_filter_test.cpp unit/wall/high_pass_test.cpp
           unit/wall/rigid_support_test.cpp
