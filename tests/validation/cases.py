@@ -120,11 +120,8 @@ COLLAPSE_INERTIA = {(n, Re): collapse(n, fluid__reynolds=Re, grid__spacing=spaci
 TUBE_LAW = dataclasses.replace(make_run("tube-law", "cases/tube_law.toml"),
                                coarse=("grid.spacing=0.25",))
 
-# The coarser grid needs more room beside the tube.
-RESISTOR = {d: dataclasses.replace(make_run(f"resistor-d{d}", "cases/starling_resistor.toml",
-                                            grid__spacing=d, **width),
-                                   coarse=("grid.spacing=0.25", "grid.width_z=4"))
-            for d, width in ((0.25, dict(grid__width_z=3.6)), (0.2, {}))}
+RESISTOR = dataclasses.replace(make_run("resistor", "cases/starling_resistor.toml"),
+                               coarse=("grid.spacing=0.25", "grid.width_z=4"))
 
 FILTERS = {(ratio, d, s): inflation(ratio, spacing=d, end_time=16, tolerance=1e-12,
                                     wall__mesh_filter=s)

@@ -76,14 +76,13 @@ class Resistor:
         self.x, P, areas, Q = (numpy.array(result.profile[c]) for c in ("x", "P_centre", "area", "Q"))
         drop = 4 * vessel["length"] / fluid["reynolds"]
         self.pressure, self.area = P / drop, areas / areas[0]
-        far = self.x > vessel["length"] - vessel["rigid_outlet"] + 2  # Poiseuille's flow again
-        slope = numpy.polyfit(self.x[far], P[far], 1)[0]
-        self.outlet_slope_error = slope / (-8 * Q[far].mean() / (numpy.pi * fluid["reynolds"])) - 1
-
-    def pressure_apart(self, other):
-        """Largest difference of the pressure, over that from end to end."""
-        apart = abs(numpy.interp(other.x, self.x, self.pressure) - other.pressure).max()
-        return apart / (other.pressure[0] - other.pressure[-1])
+        before = self.x < vessel["rigid_inlet"]
+        behind = self.x > vessel["length"] - vessel["rigid_outlet"] + 2
+        slopes = [numpy.polyfit(self.x[part], P[part], 1)[0] for part in (before, behind)]
+        steepest = min(numpy.gradient(P, self.x))
+        self.steepness = [steepest / slope for slope in slopes]
+        poiseuille = -8 * Q[behind].mean() / (numpy.pi * fluid["reynolds"])
+        self.outlet_slope_error = slopes[1] / poiseuille - 1
 
 
 class TubeLaw:
