@@ -759,7 +759,9 @@ def test_numerical_error(directory):
     for name in ("profile.csv", "wall.xdmf", "fluid.xdmf"):
         expect((out / name).exists(), "no", name, "of the last sound state")
     profile = rows_of(out / "profile.csv")
-    expect(all(math.isfinite(float(value)) for row in profile[1:] for value in row), profile[1])
+    shear = 2  # columns of a cycle, which a steady drive has not
+    expect(all(math.isfinite(float(value)) for row in profile[1:] for value in row[:-shear]),
+           profile[1])
     frame = float(re.findall('<Time Value="([^"]+)"', (out / "fluid.xdmf").read_text())[-1])
     expect(frame == summary["t"], "the summary and the last frame are of different states")
     place = summary["breakdown"]
