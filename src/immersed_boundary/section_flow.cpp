@@ -17,10 +17,24 @@ Real quadratic_bspline_below(Real s)
     return 0.5 + s * (0.75 - s * s / 3);
 }
 
-/// Weights of the cubic B-spline at the node itself and the next, and those of its second
-/// difference at the node, the next and the one after.
-constexpr std::array<Real, 2> cubic = {2. / 3, 1. / 6};
-constexpr std::array<Real, 3> cubic_difference = {-1., 1. / 3, 1. / 6};
+/// Weights along x, and with the second difference along x taken off, of six nodes.
+struct AlongX6 {
+    Index first;
+    std::array<Real, 6> blunt{}, sharp{};
+};
+
+AlongX6 weights_along_x(Real s)
+{
+    constexpr Real a = composite_bsplines.sharpening;
+    const Stencil4 stencil = delta_weights(composite_bsplines.along, s);
+    AlongX6 w{stencil.first - 1};
+    std::copy(stencil.weight.begin(), stencil.weight.end(), w.blunt.begin() + 1);
+    for (std::size_t n = 0; n < 6; ++n) {
+        const Real before = n > 0 ? w.blunt[n - 1] : 0, after = n < 5 ? w.blunt[n + 1] : 0;
+        w.sharp[n] = (1 + 6 * a) * w.blunt[n] - a * (before + after);
+    }
+    return w;
+}
 
 } // namespace
 
@@ -95,10 +109,10 @@ Real SectionFlow::inside(const ScalarField& field, const Array<Vec3>& x, Index i
 
 // Weight of a node: the integral of its kernel over the section, exact along z.
 template <class Add>
-void SectionFlow::for_reconstruction_weights(const Array<Vec3>& x, Index i, Add add)
+void SectionFlow::for_reconstruction_weights(const Array<Vec3>& x, Real plane_x, Add add)
 {
     const Real h = grid_.spacing().z, sub = grid_.spacing().y / static_cast<Real>(sub_rows);
-    section_.cut(x, grid_.x(Location::u, i));
+    section_.cut(x, plane_x);
     for (Index m = 0; m < grid_.ny() * sub_rows; ++m) {
         const Real from_bottom = sub * (static_cast<Real>(m) + 0.5);
         const Stencil4 rows =
@@ -119,28 +133,26 @@ void SectionFlow::for_reconstruction_weights(const Array<Vec3>& x, Index i, Add 
     }
 }
 
-Real SectionFlow::reconstructed(const ScalarField& field, const Array<Vec3>& x, Index i)
+Real SectionFlow::reconstructed(const ScalarField& field, const Array<Vec3>& x, Real plane_x)
 {
-    constexpr Real a = composite_bsplines.sharpening;
     const View<const Real> u = field.view();
-    const auto at = [=, last = grid_.nx()](Index n, Index j, Index k) { // mirrored at the end faces
-        return u(n < 0 ? -n : n > last ? 2 * last - n : n, j, k);
-    };
-    const auto along = [&](Index j, Index k, Real centre, Real next, Real after) {
-        Real sum = centre * at(i, j, k) + next * (at(i - 1, j, k) + at(i + 1, j, k));
-        if (after != 0) sum += after * (at(i - 2, j, k) + at(i + 2, j, k));
+    const AlongX6 w = weights_along_x((plane_x - grid_.x(Location::u, 0)) / grid_.spacing().x);
+    const auto along = [&](Index j, Index k, const std::array<Real, 6>& weight) {
+        Real sum = 0;
+        for (Index n = 0; n < 6; ++n) {
+            const Index i = w.first + n, last = grid_.nx(); // mirrored at the end faces
+            sum += weight[static_cast<std::size_t>(n)] * u(i < 0      ? -i
+                                                           : i > last ? 2 * last - i
+                                                                      : i,
+                                                           j, k);
+        }
         return sum;
     };
     Real flow = 0;
-    for_reconstruction_weights(x, i, [&](Index j, Index k, Real weight) {
-        const Real sharp =
-            along(j, k, (1 + 4 * a) * cubic[0] - a * cubic_difference[0],
-                  (1 + 4 * a) * cubic[1] - a * cubic_difference[1], -a * cubic_difference[2]);
+    for_reconstruction_weights(x, plane_x, [&](Index j, Index k, Real weight) {
         Real beside = 0;
-        for (Index d : {-1, 1})
-            beside +=
-                along(j + d, k, cubic[0], cubic[1], 0) + along(j, k + d, cubic[0], cubic[1], 0);
-        flow += weight * (sharp - a * beside);
+        for (Index d : {-1, 1}) beside += along(j + d, k, w.blunt) + along(j, k + d, w.blunt);
+        flow += weight * (along(j, k, w.sharp) - composite_bsplines.sharpening * beside);
     });
     return flow;
 }

@@ -15,10 +15,11 @@ public:
     /// Flow rate inside the tube through face plane i (R_0^2 U_c).
     Real inside(const ScalarField& u, const Array<Vec3>& x, Index i);
 
-    /// Flow rate of the velocity that composite B-splines reconstruct, without divergence at any
-    /// point (docs/numerics.md, "Kernels" and "Leak"). Its differences between planes are what
-    /// passes the wall or changes the volume, and no error of quadrature.
-    Real reconstructed(const ScalarField& u, const Array<Vec3>& x, Index i);
+    /// Flow rate, through the plane `plane_x`, of the velocity that composite B-splines
+    /// reconstruct, without divergence at any point (docs/numerics.md, "Kernels" and "Leak"). Its
+    /// differences between planes are what passes the wall or changes the volume, and no error of
+    /// quadrature.
+    Real reconstructed(const ScalarField& u, const Array<Vec3>& x, Real plane_x);
 
     /// The same as inside() as a sum of weight times u over the faces of the plane: ny x nz weights
     /// (R_0^2), z fastest. The tube must keep a spacing from the sides of the box.
@@ -35,7 +36,7 @@ private:
     };
     void add_spans(Real y, Real z_begin, Real z_end);
     template <class Add>
-    void for_reconstruction_weights(const Array<Vec3>& x, Index i, Add add);
+    void for_reconstruction_weights(const Array<Vec3>& x, Real plane_x, Add add);
     /// Calls add(j, k, weight) for all nodes that count, some several times.
     template <class Add>
     void for_weights(const Array<Vec3>& x, Index i, Add add);

@@ -48,6 +48,7 @@ constexpr Real half_slab = 0.5; ///< of a neighbourhood along x, or more
 constexpr Real half_slab_in_spacings = 6;
 constexpr Index steps_between_checks = 10; ///< of speed, gaps and the automatic step
 constexpr Index steps_between_copies = 50; ///< of a sound state
+constexpr Index steps_held = 20;           ///< in which the forces of rigid parts are tried out
 constexpr Real largest_sound_move = 0.5;   ///< of the wall in a step, in grid spacings
 
 } // namespace
@@ -62,7 +63,8 @@ struct Simulation::Impl {
     Monitor monitor;
     std::vector<TimeStepLimit> limits;
     Soundness soundness{description, grid, tube, state, limits};
-    State good; ///< the last state found sound
+    State good;                 ///< the last state found sound
+    std::optional<State> trial; ///< of a step that is tried; only in the first steps
     Real good_cfl = 0;
     Real step_factor = 1;        ///< on the automatic step
     int threads = max_threads(); ///< scratch memory is made for so many
@@ -76,9 +78,14 @@ struct Simulation::Impl {
         perturb(tube, c.perturbation, state.wall.x);
         initialise(state, op);
         choose_step(std::abs(c.pressure_ratio()));
-        if (supports_rigid_parts(c.coupling.scheme) && tube.deforms())
-            load_rigid_parts(state, op, workspace, state.dt);
+        if (has_supports())
+            load_rigid_parts(state, trial.emplace(grid, tube), op, workspace, state.dt);
         good = state;
+    }
+
+    bool has_supports() const
+    {
+        return supports_rigid_parts(description.coupling.scheme) && tube.deforms();
     }
 
     void find_limits(Real u_max) { limits = time_step_limits(description, grid.delta(), u_max); }
@@ -164,6 +171,15 @@ struct Simulation::Impl {
         good_cfl = cfl;
     }
 
+    /// The load on the rigid parts changes fast after the drive has been switched on.
+    bool hold_at_first(Real dt)
+    {
+        if (state.step >= steps_held) trial.reset();
+        if (state.step >= steps_held || !has_supports()) return true;
+        if (!trial) trial.emplace(grid, tube); // back from a later state
+        return hold_rigid_parts(state, *trial, op, workspace, dt);
+    }
+
     /// One step of at most state.dt; ends exactly at `until` if it gets there.
     void step(Real until)
     {
@@ -171,7 +187,7 @@ struct Simulation::Impl {
             throw std::logic_error("a simulation cannot use more threads than it was built with");
         const Real remaining = until - state.t;
         const Real dt = std::isfinite(until) ? step_towards(remaining, state.dt) : state.dt;
-        if (!advance(state, op, workspace, dt)) soundness.report_lost_wall();
+        if (!hold_at_first(dt) || !advance(state, op, workspace, dt)) soundness.report_lost_wall();
         if (dt >= remaining) state.t = until;
         check();
     }

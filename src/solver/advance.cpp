@@ -9,17 +9,39 @@ void initialise(State& s, Operators& op)
     op.coupling.initialise(s.wall, s.ghosts);
 }
 
-bool load_rigid_parts(State& s, Operators& op, Workspace& w, Real dt)
+namespace {
+
+/// A step from s, tried without the rate of the forces; s takes the forces that it ends with.
+bool try_step(State& s, State& trial, Operators& op, Workspace& w, Real dt)
+{
+    trial = s;
+    std::fill(trial.wall.support_rate.begin(), trial.wall.support_rate.end(), Vec3{});
+    if (!advance(trial, op, w, dt)) return false;
+    std::swap(s.wall.support, trial.wall.support);
+    std::swap(s.wall.passing, trial.wall.passing);
+    return true;
+}
+
+} // namespace
+
+bool load_rigid_parts(State& s, State& trial, Operators& op, Workspace& w, Real dt)
 {
     constexpr int trials = 40;
-    State trial = s;
     for (int n = 0; n < trials; ++n) {
-        if (!advance(trial, op, w, dt)) return false;
+        if (!try_step(s, trial, op, w, dt)) return false;
         std::swap(s.fluid.P, trial.fluid.P);
-        std::swap(s.wall.support, trial.wall.support);
-        std::swap(s.wall.passing, trial.wall.passing);
-        trial = s;
     }
+    return true;
+}
+
+bool hold_rigid_parts(State& s, State& trial, Operators& op, Workspace& w, Real dt)
+{
+    constexpr int trials = 4;
+    const Array<Vec3> predicted = s.wall.support;
+    for (int n = 0; n < trials; ++n)
+        if (!try_step(s, trial, op, w, dt)) return false;
+    for (Index v = 0; v < predicted.size(); ++v)
+        s.wall.support_rate[v] += 0.5 / dt * (s.wall.support[v] - predicted[v]);
     return true;
 }
 

@@ -240,17 +240,17 @@ Real between_planes(const std::vector<Real>& values, Real h, Real x)
 /// dV/dt - (Q(0) - Q(x)) for the part of the tube before each ring, docs/numerics.md (I').
 std::vector<Real> Monitor::leak_up_to_rings(const State& s)
 {
-    std::vector<Real> Q; // on the face planes
-    for (Index i = 0; i <= grid_.nx(); ++i)
-        Q.push_back(section_flow_.reconstructed(s.fluid.u[Location::u], s.wall.x, i));
     find_positions_before(s);
     const std::vector<Real> V = volume_up_to_rings(*tube_, s.wall.x),
                             V_before = volume_up_to_rings(*tube_, before_);
     const Real dt = s.fluid.dt_before;
+    const auto Q = [&](std::size_t ring) {
+        return section_flow_.reconstructed(s.fluid.u[Location::u], s.wall.x, tube_->ring_x[ring]);
+    };
+    const Real Q_in = Q(0);
     std::vector<Real> leak;
     for (std::size_t ring = 0; ring < V.size(); ++ring)
-        leak.push_back((dt > 0 ? (V[ring] - V_before[ring]) / dt : 0) +
-                       between_planes(Q, grid_.spacing().x, tube_->ring_x[ring]) - Q.front());
+        leak.push_back((dt > 0 ? (V[ring] - V_before[ring]) / dt : 0) + Q(ring) - Q_in);
     return leak;
 }
 

@@ -27,7 +27,7 @@ def inflation(ratio, spacing=0.1, law="hooke", eps=0.02, width=4.7, end_time=Non
               threads=0, **more):
     """The paper's inflation case with one thing or another changed."""
     label = {"wall__mesh_filter": "filter", "vessel__rigid_outlet": "outlet",
-             "coupling__scheme": "", "stop__steps": "steps"}
+             "coupling__scheme": "", "stop__steps": "steps", "output__sample_every": "every"}
     name = f"{law}-eps{eps}-r{ratio}-d{spacing}"
     name += f"-w{width}" if width != 4.7 else ""
     name += "".join(f"-{label[key]}{value}" for key, value in more.items())
@@ -67,6 +67,10 @@ LAWS = {
 # Three times as long as it takes to be steady; never steady enough.
 LONG = {(ratio, d): inflation(ratio, spacing=d, end_time=36, tolerance=1e-12)
         for ratio in (1, 3) for d in (0.13, 0.1)}
+
+# The first steps, each of them sampled, for the leak of the transient.
+START = {(ratio, d): inflation(ratio, spacing=d, output__sample_every=1, stop__steps=200)
+         for ratio in (1, 3) for d in (0.13, 0.1)}
 
 # Never steady enough: to a time at which what still changes is small beside what is compared.
 REFINEMENT = {(ratio, d): inflation(ratio, spacing=d, end_time=16, tolerance=1e-12, **COARSE)

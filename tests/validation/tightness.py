@@ -29,6 +29,12 @@ class Tightness:
         """Leak of the last sample over Q."""
         return self.series["leak"][-1] / self.Q
 
+    def largest_after(self, t):
+        """Largest leak of a sample from then on, over Q half way at that time."""
+        s = self.series
+        late = s["t"] >= min(t, s["t"][-1])
+        return abs(s["leak"][late] / s["Q_mid"][late]).max()
+
     @property
     def sections(self):
         """Largest flow that has passed the wall between the inlet and a section, over Q."""

@@ -105,7 +105,8 @@ TEST(PowerBalance, ClosesWhileATubeInflates)
 {
     Coupled c(CoupledParameters{.scheme = CouplingScheme::conserving, .spacing = 0.2});
     PowerBalance power(c.g, c.op, Coupled::fluid, {});
-    ASSERT_TRUE(load_rigid_parts(c.s, c.op, c.w, c.s.dt));
+    State trial = c.s;
+    ASSERT_TRUE(load_rigid_parts(c.s, trial, c.op, c.w, c.s.dt));
     ASSERT_TRUE(c.run(10));
     for (int n = 0; n < 60; ++n) {
         ASSERT_TRUE(c.run(1));
