@@ -33,6 +33,11 @@ std::optional<TheoryReport> theory_of(const Case& c)
     }
 }
 
+bool same_steps(const Case& a, const Case& b)
+{
+    return a.time.step == b.time.step && a.time.safety == b.time.safety;
+}
+
 /// The state of a run in progress.
 class Run {
 public:
@@ -51,11 +56,18 @@ public:
     /// Goes on from a checkpoint; throws InputError where it leaves nothing to do.
     Summary resume(const CheckpointFile& file)
     {
-        const RunMemory m = file.read_memory();
-        const CheckpointFile sound = sound_point(file);
+        RunMemory m = file.read_memory();
+        const Case before = case_of(file);
+        const bool another = !differences(before, case_).empty();
+        // What halved it were breakdowns of another choice of steps.
+        const bool other_steps = another && !same_steps(before, case_);
+        if (other_steps) m.step_factor = 1;
+        // Nor is a state of another physics one to go back to.
+        const CheckpointFile sound = another ? file : sound_point(file);
         simulation_.restore([&](State& s) { file.read(s); }, [&](State& s) { sound.read(s); },
                             m.step_factor);
-        good_memory_ = sound.read_memory();
+        if (another) simulation_.choose_step();
+        good_memory_ = another ? m : sound.read_memory();
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
         cycles_.go_on_from(m.cycles, simulation_.time());
@@ -68,8 +80,10 @@ public:
                              "); change what ends it, as in --set " +
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
-        files_.check_go_on(m, case_of(file));
+        files_.check_go_on(m, before);
         for (const std::string& damage : files_.damage(m)) observer_.warn(damage);
+        if (another || !files_.is_newest(file))
+            files_.checkpoint_of_return(simulation_, m, good_memory_);
         remember(m);
         if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
@@ -80,10 +94,9 @@ public:
     }
 
 private:
-    /// What the run goes back to after a breakdown: not to a state of another physics.
+    /// What the run goes back to after a breakdown.
     CheckpointFile sound_point(const CheckpointFile& file)
     {
-        if (!differences(case_of(file), case_).empty()) return file;
         try {
             return file.sound();
         } catch (const InputError& e) {
@@ -183,7 +196,8 @@ private:
         simulation_.back_to_good();
         good_memory_.step_factor = step_factor_ / 2;
         simulation_.set_step_factor(good_memory_.step_factor);
-        try_checkpoint([&] { files_.checkpoint_of_return(simulation_, good_memory_); });
+        try_checkpoint(
+            [&] { files_.checkpoint_of_return(simulation_, good_memory_, good_memory_); });
         remember(good_memory_);
     }
 

@@ -155,10 +155,18 @@ void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory,
         {{simulation.state(), memory}, {simulation.good_state(), good}, write_case(case_)});
 }
 
-void RunFiles::checkpoint_of_return(const Simulation& simulation, const RunMemory& memory)
+void RunFiles::checkpoint_of_return(const Simulation& simulation, const RunMemory& memory,
+                                    const RunMemory& good)
 {
     checkpoints_.go_on_from(simulation.steps());
-    checkpoint(simulation, memory, memory);
+    checkpoint(simulation, memory, good);
+}
+
+bool RunFiles::is_newest(const CheckpointFile& file) const
+{
+    const auto all = CheckpointRing::list(directory_.path());
+    std::error_code none;
+    return !all.empty() && std::filesystem::equivalent(all.front(), file.path(), none);
 }
 
 void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken)

@@ -68,8 +68,12 @@ public:
     /// A checkpoint of the present state, with `good` of the last one found sound.
     /// Before that, rows and frames that belong to it are waited for until they are on disk.
     void checkpoint(const Simulation& simulation, const RunMemory& memory, const RunMemory& good);
-    /// The same after the run has gone back: those beyond are of a course that was given up.
-    void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory);
+    /// The same where the run has gone back: checkpoints beyond are of a course that is given up,
+    /// and removed. To be written before rows and frames of that course are dropped.
+    void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory,
+                              const RunMemory& good);
+    /// Whether `file` is the latest checkpoint of this run.
+    bool is_newest(const CheckpointFile& file) const;
     /// What is around a breakdown, in the last sound state and in the broken one.
     void breakdown(const Neighbourhood& sound, const Neighbourhood& broken);
     /// What is written once a run has ended, beside the summary.
