@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "output/file_name.hpp"
+#include "output/shell_word.hpp"
 
 namespace starling {
 
@@ -173,7 +174,7 @@ void RunDirectory::check(const RunDirectoryOptions& options)
         refuse(path, "holds results of an earlier run (" + found +
                          "); choose another directory, --force to replace them, or go on with it: "
                          "starling resume " +
-                         path.string());
+                         shell_word(path));
     for (const char* name : result_files) {
         check_removal(path, name, options.case_file);
         check_removal(path, leftover(name), options.case_file);

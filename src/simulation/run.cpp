@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "output/shell_word.hpp"
 #include "output/version.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/resume.hpp"
@@ -376,7 +377,7 @@ Summary with_advice(const std::filesystem::path& directory, F f)
         const bool can_go_on = !CheckpointRing::list(directory).empty();
         throw std::runtime_error(fmt::format(
             "{}\n  try: free space on the disk, then: {}", e.what(),
-            can_go_on ? "starling resume " + directory.string()
+            can_go_on ? "starling resume " + shell_word(directory)
                       : "the same command with --force (there is no checkpoint to go on from)"));
     }
 }

@@ -84,6 +84,14 @@ void RunFiles::check_go_on(const RunMemory& m, const Case& before) const
 std::vector<std::string> RunFiles::damage(const RunMemory& m) const
 {
     std::vector<std::string> found;
+    const std::filesystem::path series = directory_.file("series.csv");
+    try {
+        inspect_series(series, m.last_row);
+    } catch (const std::exception& e) {
+        found.push_back(series.string() + ": " + e.what() +
+                        "; the run goes on, the row stays as it is, mean_leak_over_Q of "
+                        "summary.json will be null");
+    }
     for (const auto& [of, count] : {std::pair{"wall", m.wall_frames}, {"fluid", m.fluid_frames}}) {
         if (!FrameWriter::lists_frames(field_options(count), of))
             found.push_back(directory_.file((std::string(of) + ".xdmf").c_str()).string() +

@@ -426,7 +426,7 @@ def test_resume_damaged(directory):
     expect(files_of(out) == before, "a refused resume changed something")
     (out / "series.csv").write_bytes(lost)
     (out / "wall.xdmf").unlink()
-    expect("wall.xdmf: does not list all frames" in starling("info", out).stdout, "info")
+    expect("wall.xdmf: is missing" in starling("info", out).stdout, "info")
     offered = re.search(r"--from (\S+)", result.stderr)[1]
     result = starling("resume", out, "--from", offered, "--set", "stop.steps=8")
     expect_exit(result, 0)
@@ -446,6 +446,13 @@ def test_resume_beside_damage(directory):
     expect_exit(result, 0)
     for words in ("wall_000001.h5: no such frame", "wall_000002.h5: is truncated"):
         expect(words in result.stderr, "should say", words, "but says", result.stderr)
+    expect("series.csv" not in result.stderr and summary_of(out)["mean_leak_over_Q"] is not None, result.stderr)
+    series = (out / "series.csv").read_text(encoding="utf-8")
+    (out / "series.csv").write_text(series.replace(",2,", ",2?,", 1), encoding="utf-8")
+    result = starling("resume", out, "--quiet", "--set", "stop.steps=8")
+    expect_exit(result, 0)
+    expect("series.csv: row 2 holds '2?'; the run goes on" in result.stderr, result.stderr)
+    expect(summary_of(out)["mean_leak_over_Q"] is None, "a mean of the rows before the damaged one")
     case = out / "case.toml"
     content = case.read_bytes()
     for size in (200, content.index(b"\n[output]") + 1, content.rindex(b"\n#") + 1):
@@ -641,6 +648,19 @@ def test_info(directory):
         expect_exit(starling("info", path), 2)
 
 
+def check_missing(out, path):
+    """A file that must be there is missed; that to resume is advised only where it is not refused."""
+    path.unlink()
+    result = starling("info", out)
+    expect_exit(result, 2)
+    expect(f"  {path.name}: is missing" in result.stdout, path, "\n", result.stdout)
+    if path.name == "series.csv":
+        expect("To resume is not possible: " in result.stdout, result.stdout)
+        expect("series.csv: is missing" in starling("resume", out, "--set", "stop.steps=9").stderr, path)
+    else:
+        expect("starling resume" in result.stdout, path, result.stdout)
+
+
 def test_info_damaged(directory):
     """Each damaged file is found, named, and the checkpoint that is whole is offered."""
     out = directory / "out"
@@ -648,8 +668,6 @@ def test_info_damaged(directory):
     whole = {p: p.read_bytes() for p in out.rglob("*") if p.is_file() and not p.is_symlink()}
     latest = (out / "checkpoints" / "latest").resolve()
     for path, content in whole.items():
-        if path.name in ("profile.csv", "sections.csv", "theory.csv"):
-            continue  # written anew by every run that ends
         half = len(content) // 2 + 1
         if path.name == "case.toml":  # at the end of a line
             half = content.index(b"\n[output]") + 1
@@ -657,6 +675,11 @@ def test_info_damaged(directory):
         result = starling("info", out)
         expect_exit(result, 2)
         expect(f"{path.relative_to(out)}: " in result.stdout, path, "\n", result.stdout)
+        if path.suffix == ".csv" and path.name != "series.csv":
+            path.write_bytes(content[:content.rindex(b"\n", 0, half) + 1])  # at the end of a line
+            expect_exit(starling("info", out), 2)
+        if path.parent == out and path.name != "summary.json":  # without that it has not ended
+            check_missing(out, path)
         if path == latest:
             expect("--from" in result.stdout, result.stdout)
         if path.parent.name in ("frames", "checkpoints"):
