@@ -467,6 +467,60 @@ def test_resume_beside_damage(directory):
     expect_exit(starling("check", case), 0)
 
 
+def start_until_the_disk_is_full(*arguments):
+    """A run that now waits for room, and what it has said so far."""
+    run = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                           text=True)
+    said = ""
+    while "trying again for a minute" not in said:
+        line = run.stderr.readline()
+        expect(line, "ended:", said)
+        said += line
+    return run, said
+
+
+def without_patience(*arguments):
+    """A run on a full disk, stopped while it waits for room: it ends at once."""
+    run, said = start_until_the_disk_is_full(*arguments)
+    run.send_signal(signal.SIGTERM)
+    said += run.communicate(timeout=60)[1]
+    return subprocess.CompletedProcess(arguments, run.returncode, "", said)
+
+
+def check_that_it_waits_for_room(case, disk, whole):
+    """Room is made while a run waits for it: it goes on as if there had always been enough."""
+    filler = disk / "filler"
+    filler.write_bytes(bytes(60 * 2**20 - sum(p.stat().st_size for p in disk.rglob("*") if p.is_file()) - 700_000))
+    run, _ = start_until_the_disk_is_full("run", *case, "--out", disk / "patient")
+    filler.unlink()
+    errors = run.communicate(timeout=120)[1]
+    expect(run.returncode == 0, errors)
+    expect_same_results(whole, disk / "patient")
+
+
+def test_directory_lost(directory):
+    """Moved away while it is written to: the state is kept there. Replaced: the other run is left alone."""
+    out, moved = directory / "a b", directory / "moved to"
+    run = start_long_run(out)
+    wait_for(lambda: len(rows_of(out / "series.csv")) > 60)
+    out.rename(moved)
+    errors = run.communicate(timeout=60)[1]
+    expect(run.returncode == 1 and f"was moved to {moved}" in errors, run.returncode, errors)
+    expect(f"go on: starling resume '{moved}'\n" in errors and not out.exists(), errors)
+    expect(not (moved / ".starling.lock").exists(), "a lock is left")
+    check_readable(moved)
+    expect_exit(starling("resume", moved, "--set", "stop.steps=70"), 0)
+    run = start_long_run(out)
+    out.rename(directory / "removed")
+    other = start_long_run(out)
+    errors = run.communicate(timeout=60)[1]
+    expect(run.returncode == 1 and "was moved" in errors, run.returncode, errors)
+    expect((out / ".starling.lock").exists(), "the lock of the other run was removed")
+    other.send_signal(signal.SIGTERM)
+    other.communicate(timeout=60)
+    expect(other.returncode == 0 and check_readable(out), "the other run")
+
+
 def test_full_disk(directory):
     """A disk too small for the run: a message, no crash, what was written is whole; then on."""
     disk, whole = directory / "disk", directory / "whole"
@@ -478,7 +532,7 @@ def test_full_disk(directory):
     try:
         out = disk / "out"
         case = [*COARSE, "--set", "output.wall_every=0.05", "--set", "stop.steps=60"]
-        result = starling("run", *case, "--set", "checkpoint.steps=10", "--out", out)
+        result = without_patience("run", *case, "--set", "checkpoint.steps=10", "--out", out)
         expect_exit(result, 1)
         expect("No space left on device" in result.stderr, result.stderr)
         expect(f"free space on the disk, then: starling resume {out}" in result.stderr, result.stderr)
@@ -487,6 +541,7 @@ def test_full_disk(directory):
         subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
         expect_exit(starling("resume", out), 0)
         expect_same_results(whole, out)
+        check_that_it_waits_for_room(case, disk, whole)
     finally:
         subprocess.run(["umount", disk], check=True)
 
