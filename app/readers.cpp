@@ -241,6 +241,10 @@ std::string told(const ExportRequest& request, const ListedFrame& frame, const s
         text += time_in(request.time) == head.t
                     ? ", exactly the time asked for"
                     : fmt::format(", the frame nearest to the {} asked for", request.time);
+    if (fs::is_directory(request.from))
+        for (const ListedFrame& other : list_frames(request.from, what))
+            if (!other.problem.empty())
+                text += fmt::format("\n  passed over: {}: {}", other.path.string(), other.problem);
     return text + "\n";
 }
 

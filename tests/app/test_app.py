@@ -229,10 +229,19 @@ def test_too_large(directory):
     expect(not out.exists(), "a refused run created", out)
 
 
+def test_out_of_memory(directory):
+    """What the system does not give is told in one message."""
+    command = f"ulimit -v 400000; exec '{PROGRAM}' run {CASE} --threads 1 --set grid.spacing=0.04 --out '{directory}/out'"
+    result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    expect_exit(result, 1)
+    expect("not enough memory" in result.stderr and "ulimit" in result.stderr, result.stderr)
+
+
 def test_refusal(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--out", out), 0)
     (out / "notes.txt").write_text("mine", encoding="utf-8")
+    (out / "waves.png").write_text("of starling plot", encoding="utf-8")
     before = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.iterdir()}
     result = starling("run", *SHORT, "--out", out)
     expect_exit(result, 2)
@@ -241,6 +250,7 @@ def test_refusal(directory):
            "a refused run changed something")
     expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)
     expect((out / "notes.txt").read_text(encoding="utf-8") == "mine", "--force took a foreign file")
+    expect(not (out / "waves.png").exists(), "--force left a picture of the run before")
 
 
 def start_long_run(out):
@@ -793,6 +803,10 @@ def test_export(directory):
     expect(not (directory / "a.vtp").exists(), "a refused export wrote a file")
     expect((directory / "wall.vtp").read_bytes() == before, "a refused export replaced a file")
     expect_exit(starling("export", out, "--out", directory / "wall.vtp", "--force"), 0)
+    last = sorted((out / "frames").glob("wall_*.h5"))[-1]
+    last.write_bytes(last.read_bytes()[:5000])
+    passed = starling("export", out, "--out", directory / "wall.vtp", "--force")
+    expect(f"passed over: {last}: is truncated" in passed.stdout, passed.stdout)
 
 
 def test_read_only(directory):
