@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "environment.hpp"
 #include "output/run_directory.hpp"
+#include "output/shell_word.hpp"
 #include "readers.hpp"
 #include "report.hpp"
 #include "report/write_report.hpp"
@@ -34,9 +35,9 @@ auto with_place_to_look(const std::string& directory, Compute compute)
         if (!std::filesystem::exists(std::filesystem::path(directory) / "breakdown_wall.xdmf"))
             throw;
         throw NumericalError(
-            e, fmt::format("look: starling plot {0} draws {0}/breakdown.png; ParaView opens "
+            e, fmt::format("look: starling plot {1} draws {0}/breakdown.png; ParaView opens "
                            "{0}/breakdown_wall.xdmf and breakdown_fluid.xdmf",
-                           directory));
+                           directory, shell_word(directory)));
     }
 }
 
@@ -71,7 +72,7 @@ void resume_command(const CommandLine& line)
             line.directory +
             ": the run is still going on; how far it is, tells "
             "starling info " +
-            line.directory +
+            shell_word(line.directory) +
             "; Ctrl-C in its terminal, or SIGTERM, stops it so that it can be resumed");
     if (line.threads > 0) omp_set_num_threads(line.threads);
     const CheckpointFile checkpoint = line.checkpoint.empty() ? latest_checkpoint(line.directory)

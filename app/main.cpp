@@ -2,6 +2,7 @@
 /// 1 anything else.
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -35,6 +36,11 @@ int main(int argc, char** argv)
         return report(2, e.what());
     } catch (const NumericalError& e) {
         return report(3, e.what());
+    } catch (const std::bad_alloc&) {
+        return report(1,
+                      "not enough memory: the system gave no more of it\n"
+                      "  try: a coarser grid, or a higher limit (ulimit -v); starling check CASE "
+                      "tells how much a case needs");
     } catch (const std::exception& e) {
         return report(1, e.what());
     }

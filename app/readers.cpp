@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "output/export.hpp"
 #include "output/field_file.hpp"
+#include "output/shell_word.hpp"
 #include "simulation/inspect.hpp"
 
 namespace starling::app {
@@ -67,26 +68,32 @@ std::string checkpoints_text(const std::vector<CheckpointContents>& all)
     return text;
 }
 
-/// The command that goes on with the run, from the latest checkpoint that is whole.
+/// The command that goes on with the run, from the latest checkpoint that allows it.
 std::string advice(const RunContents& run, const fs::path& directory)
 {
-    if (run.running) return "";
-    const bool latest_is_whole =
-        !run.checkpoints.empty() && run.checkpoints.front().problem.empty();
-    if (!run.later_end.empty() && latest_is_whole)
-        return "Go further: starling resume " + directory.string() + " --set " + run.later_end +
-               "\n";
-    for (std::size_t n = 0; n < run.checkpoints.size(); ++n)
-        if (run.checkpoints[n].problem.empty())
-            return "Go on: starling resume " + directory.string() +
-                   (n == 0 ? "" : " --from " + run.checkpoints[n].path.string()) + "\n";
-    return "";
+    if (run.running || run.checkpoints.empty()) return "";
+    const fs::path case_file = directory / "case.toml";
+    const std::string resume =
+        (run.case_is_damaged ? "mv " + shell_word(case_file) + " " +
+                                   shell_word(case_file.string() + ".damaged") + "; "
+                             : "") +
+        "starling resume " + shell_word(directory);
+    std::string obstacle;
+    for (const CheckpointContents& c : run.checkpoints) {
+        const bool latest = &c == &run.checkpoints.front();
+        if (obstacle.empty()) obstacle = c.obstacle;
+        if (!c.problem.empty() || !c.obstacle.empty()) continue;
+        if (latest && !run.later_end.empty())
+            return "Go further: " + resume + " --set " + run.later_end + "\n";
+        return "Go on: " + resume + (latest ? "" : " --from " + shell_word(c.path)) + "\n";
+    }
+    return obstacle.empty() ? "" : "To resume is not possible: " + obstacle + "\n";
 }
 
 std::string findings_text(const RunContents& run, const fs::path& directory)
 {
     if (run.findings.empty()) return "All files are whole.\n";
-    std::string text = plural(run.findings.size(), "damaged file") + ":\n";
+    std::string text = plural(run.findings.size(), "damaged or missing file") + ":\n";
     for (const Finding& f : run.findings)
         text += "  " + f.path.lexically_relative(directory).string() + ": " + f.problem + "\n";
     return text;
@@ -234,6 +241,10 @@ std::string told(const ExportRequest& request, const ListedFrame& frame, const s
         text += time_in(request.time) == head.t
                     ? ", exactly the time asked for"
                     : fmt::format(", the frame nearest to the {} asked for", request.time);
+    if (fs::is_directory(request.from))
+        for (const ListedFrame& other : list_frames(request.from, what))
+            if (!other.problem.empty())
+                text += fmt::format("\n  passed over: {}: {}", other.path.string(), other.problem);
     return text + "\n";
 }
 

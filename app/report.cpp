@@ -8,6 +8,7 @@
 
 #include "config/shipped_cases.hpp"
 #include "console.hpp"
+#include "output/shell_word.hpp"
 #include "output/summary.hpp"
 #include "simulation/run.hpp"
 
@@ -137,8 +138,9 @@ std::string phase_text(const Summary& s)
 std::string way_on(const Summary& s, const Case& c, const std::string& directory)
 {
     const std::string later = later_end(c, s.reason, s.last.step);
-    return later.empty() ? "  go on: starling resume " + directory + "\n"
-                         : "  go further: starling resume " + directory + " --set " + later + "\n";
+    const std::string resume = "starling resume " + shell_word(directory);
+    return later.empty() ? "  go on: " + resume + "\n"
+                         : "  go further: " + resume + " --set " + later + "\n";
 }
 
 std::string files_text(const Summary& s, const Case& c, const std::filesystem::path& directory)
@@ -151,7 +153,7 @@ std::string files_text(const Summary& s, const Case& c, const std::filesystem::p
                 (c.output.fluid ? "fluid.xdmf" : "") + ": open with ParaView\n";
     }
     if (c.checkpoint.keep > 0) text += way_on(s, c, directory.string());
-    text += "  pictures: starling plot " + directory.string() + "\n";
+    text += "  pictures: starling plot " + shell_word(directory) + "\n";
     return text + "  a page for the browser: starling report " + directory.string() + "\n";
 }
 

@@ -485,7 +485,11 @@ std::vector<fs::path> CheckpointRing::orphans(const fs::path& run_directory)
 
 void CheckpointRing::write(const RunRecord& record)
 {
-    if (keep_ == 0) return;
+    if (keep_ == 0) {
+        for (const fs::path& p : list(directory_))
+            if (newest_ >= 0 && p.filename() > checkpoint_name(newest_)) remove_with_its_sound(p);
+        return;
+    }
     const fs::path folder_path = folder(directory_);
     fs::create_directories(folder_path);
     const std::string name = write_checkpoint(folder_path, record).filename();

@@ -58,6 +58,7 @@ public:
     /// truncated or damaged.
     explicit CheckpointFile(const std::filesystem::path& path);
 
+    const std::filesystem::path& path() const { return path_; }
     Index step() const { return step_; }
     Real t() const { return t_; }
     const std::string& case_text() const { return case_text_; } ///< as written by write_case

@@ -92,7 +92,7 @@ FrameWriter::FrameWriter(FieldFileOptions options, std::string what)
             series_.keep(frames_);
         else
             series_.keep(grids_of(options_, name_));
-        write_index();
+        write_index(frames_);
     } else {
         fs::remove(options_.directory / (name_ + ".xdmf"));
         fs::remove(options_.directory / (name_ + ".h5"));
@@ -154,9 +154,9 @@ void FrameWriter::end(Frame frame, Real t)
     frame.file.attribute("/", xdmf_attribute, frame.xdmf);
     save_sealed(frame.file, frame_seal, false);
     fs::rename(path.string() + ".new", path);
-    ++frames_;
-    write_index();
+    write_index(frames_ + 1);
     series_.add({t * options_.scaling.factor(Quantity::time), frame.xdmf});
+    ++frames_; // last: where one of these fails the frame may be written again
 }
 
 // NAME.h5 and NAME.xdmf can be made anew from the frames.
@@ -168,7 +168,7 @@ void FrameWriter::sync()
     sync_to_disk(options_.directory / "frames");
 }
 
-void FrameWriter::write_index() const
+void FrameWriter::write_index(Index frames) const
 {
     const fs::path path = options_.directory / (name_ + ".h5"), temporary = path.string() + ".new";
     {
@@ -178,7 +178,7 @@ void FrameWriter::write_index() const
         file.attribute("/", "units", options_.scaling.si ? "si" : "dimensionless");
         file.attribute("/", "unit_of_t", options_.scaling.unit(Quantity::time));
         file.make_group("/frames");
-        for (Index n = 0; n < frames_; ++n)
+        for (Index n = 0; n < frames; ++n)
             file.link(fmt::format("/frames/{:06}", n), frame_name(name_, n));
         if (what_ == "wall") file.link(shared_array, frame_name(name_, 0), shared_array);
         save_sealed(file, index_seal, false);

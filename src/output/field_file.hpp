@@ -60,7 +60,7 @@ public:
     void sync();
 
 private:
-    void write_index() const;
+    void write_index(Index frames) const;
     void remove_later_frames() const;
 
     FieldFileOptions options_;

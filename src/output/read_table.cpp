@@ -70,10 +70,12 @@ TableContents read_table(const std::filesystem::path& path)
     std::string line;
     if (!std::getline(text, line)) throw InputError(path.string() + ": is missing or empty");
     TableContents table;
+    table.cut = text.eof();
     for (const std::string& title : cells_of(line)) table.columns.push_back(column_titled(title));
-    while (std::getline(text, line) && !text.eof()) {
+    while (!table.cut && std::getline(text, line)) {
         const auto row = row_of(line, table.columns.size());
-        if (!row) break;
+        table.cut = !row || text.eof();
+        if (table.cut) break;
         for (std::size_t n = 0; n < row->size(); ++n) table.columns[n].values.push_back((*row)[n]);
     }
     return table;

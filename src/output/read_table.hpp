@@ -27,6 +27,7 @@ struct TableColumn {
 /// Columns of equal length.
 struct TableContents {
     std::vector<TableColumn> columns;
+    bool cut = false; ///< the file goes on with a row that is not whole
 
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
     /// The column of that name, or null.

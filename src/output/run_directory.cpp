@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "output/file_name.hpp"
+#include "output/shell_word.hpp"
 
 namespace starling {
 
@@ -35,6 +36,7 @@ constexpr const char* result_files[] = {"case.toml",
                                         "profiles.png",
                                         "history.png",
                                         "flow.png",
+                                        "waves.png",
                                         "breakdown.png",
                                         "report.html",
                                         "breakdown_wall.h5",
@@ -151,7 +153,8 @@ int lock(const fs::path& path)
 
 void unlock(const fs::path& path, int file)
 {
-    unlink((path / lock_file).c_str());
+    const fs::path name = path / lock_file;
+    if (is_at(file, name)) unlink(name.c_str()); // else it is another run's
     close(file);
 }
 
@@ -173,7 +176,7 @@ void RunDirectory::check(const RunDirectoryOptions& options)
         refuse(path, "holds results of an earlier run (" + found +
                          "); choose another directory, --force to replace them, or go on with it: "
                          "starling resume " +
-                         path.string());
+                         shell_word(path));
     for (const char* name : result_files) {
         check_removal(path, name, options.case_file);
         check_removal(path, leftover(name), options.case_file);
@@ -224,6 +227,24 @@ RunDirectory::RunDirectory(const RunDirectoryOptions& options) : path_(options.p
     }
 }
 
+std::optional<fs::path> RunDirectory::where() const
+{
+    if (is_at(lock_, path_ / lock_file)) return path_;
+    std::error_code none;
+    const fs::path now = fs::read_symlink("/proc/self/fd/" + std::to_string(lock_), none);
+    if (now.filename() == lock_file && is_at(lock_, now)) return now.parent_path();
+    return std::nullopt;
+}
+
+void RunDirectory::check_held() const
+{
+    if (is_at(lock_, path_ / lock_file)) return;
+    const auto now = where();
+    throw DirectoryLost("output directory " + path_.string() + ": was " +
+                        (now ? "moved to " + now->string() : std::string("removed")) +
+                        " while the run was writing to it");
+}
+
 void RunDirectory::remove_end() const
 {
     for (const char* name : files_of_the_end) fs::remove(path_ / name);
@@ -231,6 +252,6 @@ void RunDirectory::remove_end() const
         fs::remove(file);
 }
 
-RunDirectory::~RunDirectory() { unlock(path_, lock_); }
+RunDirectory::~RunDirectory() { unlock(where().value_or(path_), lock_); }
 
 } // namespace starling

@@ -1,6 +1,8 @@
 #pragma once
 /// The directory that a run writes to: one run at a time, results never overwritten unasked.
 #include <filesystem>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace starling {
@@ -14,6 +16,12 @@ struct RunDirectoryOptions {
     bool force = false;              ///< remove the results of an earlier run
     std::filesystem::path case_file; ///< the user's case file, never to be removed; may be empty
     bool go_on = false;              ///< keep everything: the earlier run is resumed
+};
+
+/// The directory of a run was moved, removed or replaced while the run was writing to it.
+class DirectoryLost : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
 };
 
 /// Holds the directory of a run for as long as it lives.
@@ -32,6 +40,12 @@ public:
     static void check(const RunDirectoryOptions& options);
     /// Whether a run is writing to the directory now.
     static bool in_use(const std::filesystem::path& path);
+
+    /// Throws DirectoryLost where the lock at `path` is no longer this one: to write on would mix
+    /// two runs, or make parts of a directory anew.
+    void check_held() const;
+    /// Where the locked directory is now; empty where it was removed.
+    std::optional<std::filesystem::path> where() const;
 
     /// Removes the files that a run writes when it ends or breaks down.
     void remove_end() const;

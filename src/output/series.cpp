@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "output/read_table.hpp"
@@ -58,6 +62,37 @@ bool SeriesWriter::has_row(const std::filesystem::path& path, const Scaling& sca
     }
 }
 
+SeriesContents inspect_series(const std::filesystem::path& path, Index last)
+{
+    const auto columns = sample_columns();
+    std::istringstream text(read_text(path));
+    std::string line;
+    SeriesContents found;
+    if (!std::getline(text, line)) throw std::runtime_error("is empty");
+    const auto titles = cells_of(line);
+    bool known = titles.size() == columns.size();
+    for (std::size_t n = 0; known && n < titles.size(); ++n)
+        known = titles[n].starts_with(std::string(columns[n].name) + " [");
+    if (!known) throw std::runtime_error("has other columns than this Starling writes");
+    found.unit_of_t = titles[0].substr(3, titles[0].size() - 4);
+    while (found.last_step < last && std::getline(text, line)) {
+        const std::string row = fmt::format("row {}", found.rows + 1);
+        const auto cells = cells_of(line);
+        if (text.eof() || cells.size() != columns.size())
+            throw std::runtime_error(row + " is cut off");
+        for (const std::string& cell : cells)
+            if (!number_in(cell)) throw std::runtime_error(row + " holds '" + cell + "'");
+        const Real t = *number_in(cells[0]);
+        const auto step = static_cast<Index>(*number_in(cells[1]));
+        if (found.rows > 0 && (step <= found.last_step || !(t > found.last_t)))
+            throw std::runtime_error(row + " goes back in time");
+        if (found.rows++ == 0) found.first_step = step, found.first_t = t;
+        found.last_step = step;
+        found.last_t = t;
+    }
+    return found;
+}
+
 Real mean_leak_over_Q(const std::filesystem::path& path, Index last_step)
 {
     const TableContents table = read_table(path);
@@ -70,6 +105,8 @@ Real mean_leak_over_Q(const std::filesystem::path& path, Index last_step)
                out = values("Q_out");
     const auto rows = static_cast<std::size_t>(
         std::ranges::upper_bound(step, static_cast<Real>(last_step)) - step.begin());
+    if (table.cut && (rows == 0 || step[rows - 1] < static_cast<Real>(last_step)))
+        return std::numeric_limits<Real>::quiet_NaN();
     Real leaks = 0, flows = 0;
     for (std::size_t n = 0; n < rows; ++n) {
         if (t[n] < (t[0] + t[rows - 1]) / 2) continue;

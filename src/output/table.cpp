@@ -62,7 +62,10 @@ void LineFile::write(const std::string& line)
     }
     const std::string reason = std::strerror(errno);
     std::error_code none;
+    stream_.close(); // with what it still holds
     std::filesystem::resize_file(path_, length_, none);
+    stream_.clear(); // to be tried again
+    stream_.open(path_, std::ios::app);
     throw std::runtime_error("cannot write to " + path_.string() + ": " + reason);
 }
 

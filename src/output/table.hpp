@@ -29,7 +29,7 @@ public:
     /// Creates or empties the file, or goes on behind its first `keep` bytes.
     explicit LineFile(std::filesystem::path path, std::optional<std::uintmax_t> keep = {});
     /// Writes one line and hands it to the operating system; a line that does not fit on the disk
-    /// leaves nothing behind.
+    /// leaves nothing behind and may be written again.
     void write(const std::string& line);
 
     LineFile() = default;

@@ -77,8 +77,14 @@ std::string Series::text_of(const Grid& grid) const
 
 void Series::add(const Grid& grid)
 {
+    const std::size_t before = frames_.size();
     frames_ += text_of(grid);
-    replace();
+    try {
+        replace();
+    } catch (...) {
+        frames_.resize(before);
+        throw;
+    }
 }
 
 void Series::replace() const

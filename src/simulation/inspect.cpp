@@ -1,7 +1,6 @@
 #include "simulation/inspect.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,38 +29,6 @@ std::string reason_in(const std::exception& e, const fs::path& path)
     return begin == std::string::npos ? text : text.substr(begin);
 }
 
-/// Reads series.csv row by row; throws std::runtime_error at the first that is wrong.
-SeriesContents inspect_series(const fs::path& path)
-{
-    const auto columns = sample_columns();
-    std::istringstream text(read_text(path));
-    std::string line;
-    SeriesContents found;
-    if (!std::getline(text, line)) throw std::runtime_error("is empty");
-    const auto titles = cells_of(line);
-    bool known = titles.size() == columns.size();
-    for (std::size_t n = 0; known && n < titles.size(); ++n)
-        known = titles[n].starts_with(std::string(columns[n].name) + " [");
-    if (!known) throw std::runtime_error("has other columns than this Starling writes");
-    found.unit_of_t = titles[0].substr(3, titles[0].size() - 4);
-    while (std::getline(text, line)) {
-        const std::string row = fmt::format("row {}", found.rows + 1);
-        const auto cells = cells_of(line);
-        if (text.eof() || cells.size() != columns.size())
-            throw std::runtime_error(row + " is cut off");
-        for (const std::string& cell : cells)
-            if (!number_in(cell)) throw std::runtime_error(row + " holds '" + cell + "'");
-        const Real t = *number_in(cells[0]);
-        const auto step = static_cast<Index>(*number_in(cells[1]));
-        if (found.rows > 0 && (step <= found.last_step || !(t > found.last_t)))
-            throw std::runtime_error(row + " goes back in time");
-        if (found.rows++ == 0) found.first_step = step, found.first_t = t;
-        found.last_step = step;
-        found.last_t = t;
-    }
-    return found;
-}
-
 /// Looks into a run directory, file by file.
 class Inspector {
 public:
@@ -71,25 +38,37 @@ public:
     {
         found_.running = RunDirectory::in_use(directory_);
         look_at("case.toml", [&](const fs::path& p) {
+            found_.case_is_damaged = true;
             case_ = read_case(p);
             found_.title = case_->title;
+            found_.case_is_damaged = false;
         });
         look_at("series.csv", [&](const fs::path& p) { found_.series = inspect_series(p); });
         look_at("summary.json", [&](const fs::path& p) {
             const auto summary = nlohmann::json::parse(read_text(p));
             found_.ended = summary.at("reason").get<std::string>();
-            if (case_) found_.later_end = later_end(*case_, found_.ended, summary.at("steps"));
+            steps_ = summary.at("steps");
+            has_theory_ = !summary.at("theory").is_null();
         });
+        for (const char* name : {"profile.csv", "sections.csv", "theory.csv"})
+            look_at(name, [&](const fs::path& p) { check_along_x(p); });
         found_.wall = look_at_frames("wall");
         found_.fluid = look_at_frames("fluid");
         for (const fs::path& path : CheckpointRing::list(directory_)) look_at_checkpoint(path);
+        if (case_) found_.later_end = later_end(*case_, found_.ended, steps_);
         if (found_.running) return found_;
         list_leftovers();
+        look_for_missing();
         look_for_unlisted_frames();
         return found_;
     }
 
 private:
+    static bool can_go_on(const CheckpointContents& c)
+    {
+        return c.problem.empty() && c.obstacle.empty();
+    }
+
     void note(const fs::path& path, const std::string& problem)
     {
         if (!problem.empty()) found_.findings.push_back({path, problem});
@@ -108,13 +87,70 @@ private:
         }
     }
 
+    /// A table along the whole vessel.
+    void check_along_x(const fs::path& path) const
+    {
+        const TableContents table = read_table(path);
+        if (table.cut) throw std::runtime_error(fmt::format("row {} is cut off", table.rows() + 1));
+        const TableColumn* x = table.find("x");
+        if (x == nullptr || x->values.empty()) throw std::runtime_error("holds no rows");
+        if (!case_) return;
+        const Real length = case_->tube.length * case_->scaling.factor(Quantity::length);
+        if (x->values.back() < (1 - 1e-6) * length)
+            throw std::runtime_error("ends before the end of the vessel");
+    }
+
+    void look_for(const std::string& name, const std::string& remedy = "")
+    {
+        if (!fs::exists(directory_ / name)) note(directory_ / name, "is missing" + remedy);
+    }
+
+    /// Files that were there if others are; an order in which no kill leaves them.
+    void look_for_missing()
+    {
+        const bool ended = fs::exists(directory_ / "summary.json");
+        const bool begun =
+            ended || !found_.checkpoints.empty() || !found_.wall.empty() || !found_.fluid.empty();
+        if (begun) look_for("series.csv"), look_for("case.toml");
+        if (ended) look_for("profile.csv"), look_for("sections.csv");
+        if (has_theory_) look_for("theory.csv");
+        const auto frames = [&](const std::string& of, auto member, bool wanted) {
+            const bool listed = std::ranges::any_of(
+                found_.checkpoints, [&](const CheckpointContents& c) { return c.*member > 0; });
+            if (listed || (ended && wanted))
+                for (const char* end : {".h5", ".xdmf"})
+                    look_for(of + end, "; to resume makes it anew");
+        };
+        frames("wall", &CheckpointContents::wall_frames, case_ && case_->output.wall);
+        frames("fluid", &CheckpointContents::fluid_frames, case_ && case_->output.fluid);
+    }
+
+    /// Why `resume` would refuse to go on from the checkpoint; empty where it would not.
+    std::string obstacle_of(const CheckpointFile& file) const
+    {
+        const RunMemory memory = file.read_memory();
+        const Scaling scaling = read_case_text(file.case_text(), "its case").scaling;
+        try {
+            SeriesWriter::check_row(directory_ / "series.csv", scaling, memory.last_row);
+            for (const auto& [of, frames] :
+                 {std::pair{"wall", memory.wall_frames}, {"fluid", memory.fluid_frames}})
+                FrameWriter::lists_frames({directory_, scaling, hdf5::Precision::full, frames}, of);
+        } catch (const InputError& e) {
+            return e.what();
+        }
+        return "";
+    }
+
     void look_at_checkpoint(const fs::path& path)
     {
         found_.checkpoints.push_back(inspect_checkpoint(path));
         note(path, found_.checkpoints.back().problem);
         if (!found_.checkpoints.back().problem.empty()) return;
         try {
-            CheckpointFile(path).sound();
+            const CheckpointFile file(path);
+            if (!case_) case_ = read_case_text(file.case_text(), "its case");
+            if (!found_.running) found_.checkpoints.back().obstacle = obstacle_of(file);
+            file.sound();
         } catch (const InputError& e) {
             const std::string text = e.what();
             const std::size_t end = text.find(": ");
@@ -143,13 +179,13 @@ private:
     /// Frames that belong to the checkpoint to go on from.
     void look_for_unlisted_frames()
     {
-        const auto whole = std::ranges::find_if(found_.checkpoints,
-                                                [](const auto& c) { return c.problem.empty(); });
+        const auto whole =
+            std::ranges::find_if(found_.checkpoints, [](const auto& c) { return can_go_on(c); });
         if (whole == found_.checkpoints.end()) return;
         for (const auto& [of, frames] :
              {std::pair{"wall", whole->wall_frames}, {"fluid", whole->fluid_frames}}) {
             const fs::path path = directory_ / (std::string(of) + ".xdmf");
-            if (!xdmf::Series(path, of).holds(frames))
+            if (fs::exists(path) && !xdmf::Series(path, of).holds(frames))
                 note(path,
                      "does not list all frames up to the checkpoint; to resume makes it anew");
         }
@@ -169,7 +205,9 @@ private:
     }
 
     fs::path directory_;
-    std::optional<Case> case_; ///< where case.toml can be read
+    std::optional<Case> case_; ///< of case.toml, else of a checkpoint
+    Index steps_ = 0;          ///< in summary.json
+    bool has_theory_ = false;  ///< summary.json has
     RunContents found_;
 };
 

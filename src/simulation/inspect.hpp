@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "output/frame_file.hpp"
+#include "output/series.hpp"
 
 namespace starling {
 
@@ -16,14 +17,6 @@ struct Finding {
     std::string problem;
 };
 
-/// series.csv.
-struct SeriesContents {
-    Index rows = 0;
-    Index first_step = 0, last_step = 0;
-    Real first_t = 0, last_t = 0;
-    std::string unit_of_t;
-};
-
 /// A checkpoint.
 struct CheckpointContents {
     std::filesystem::path path;
@@ -31,7 +24,8 @@ struct CheckpointContents {
     Real t = 0;                              ///< in the units of the case
     Index wall_frames = 0, fluid_frames = 0; ///< that belong to it
     std::string unit_of_t, version, title;
-    std::string problem; ///< empty: whole
+    std::string problem;  ///< empty: whole
+    std::string obstacle; ///< why other files do not let a run go on from it; empty: they do
 };
 
 /// A run directory.
@@ -45,6 +39,7 @@ struct RunContents {
     std::vector<CheckpointContents> checkpoints;  ///< latest first
     std::vector<std::filesystem::path> leftovers; ///< what a kill has left unfinished
     std::vector<Finding> findings;                ///< empty: all files are whole
+    bool case_is_damaged = false;                 ///< that of case.toml is among them
 };
 
 /// Throws InputError where the directory holds nothing of a run.

@@ -5,6 +5,7 @@
 
 #include "config/read_case.hpp"
 #include "core/error.hpp"
+#include "output/shell_word.hpp"
 
 namespace starling {
 
@@ -101,7 +102,7 @@ CheckpointFile latest_checkpoint(const fs::path& run_directory)
                          (sound.empty()
                               ? "\n  no other checkpoint is whole"
                               : "\n  the one before is whole: starling resume " +
-                                    run_directory.string() + " --from " + sound.string()));
+                                    shell_word(run_directory) + " --from " + shell_word(sound)));
     }
 }
 

@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <limits>
+#include <thread>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "output/shell_word.hpp"
 #include "output/version.hpp"
 #include "simulation/estimate.hpp"
 #include "simulation/resume.hpp"
@@ -33,6 +35,11 @@ std::optional<TheoryReport> theory_of(const Case& c)
     }
 }
 
+bool same_steps(const Case& a, const Case& b)
+{
+    return a.time.step == b.time.step && a.time.safety == b.time.safety;
+}
+
 /// The state of a run in progress.
 class Run {
 public:
@@ -51,11 +58,18 @@ public:
     /// Goes on from a checkpoint; throws InputError where it leaves nothing to do.
     Summary resume(const CheckpointFile& file)
     {
-        const RunMemory m = file.read_memory();
-        const CheckpointFile sound = sound_point(file);
+        RunMemory m = file.read_memory();
+        const Case before = case_of(file);
+        const bool another = !differences(before, case_).empty();
+        // What halved it were breakdowns of another choice of steps.
+        const bool other_steps = another && !same_steps(before, case_);
+        if (other_steps) m.step_factor = 1;
+        // Nor is a state of another physics one to go back to.
+        const CheckpointFile sound = another ? file : sound_point(file);
         simulation_.restore([&](State& s) { file.read(s); }, [&](State& s) { sound.read(s); },
                             m.step_factor);
-        good_memory_ = sound.read_memory();
+        if (another) simulation_.choose_step();
+        good_memory_ = another ? m : sound.read_memory();
         first_step_ = simulation_.steps();
         for (const Sample& s : m.window) stop_.add(s);
         cycles_.go_on_from(m.cycles, simulation_.time());
@@ -68,8 +82,10 @@ public:
                              "); change what ends it, as in --set " +
                              later_end(case_, *stop_.reason(), simulation_.steps()));
         const bool ended = stop_.reason().has_value();
-        files_.check_go_on(m, case_of(file));
+        files_.check_go_on(m, before);
         for (const std::string& damage : files_.damage(m)) observer_.warn(damage);
+        if (another || !files_.is_newest(file))
+            files_.checkpoint_of_return(simulation_, m, good_memory_);
         remember(m);
         if (ended) stop_.check(at_rest); // killed while it wrote its last results: write them
         seconds_before_ = m.wall_seconds;
@@ -80,10 +96,9 @@ public:
     }
 
 private:
-    /// What the run goes back to after a breakdown: not to a state of another physics.
+    /// What the run goes back to after a breakdown.
     CheckpointFile sound_point(const CheckpointFile& file)
     {
-        if (!differences(case_of(file), case_).empty()) return file;
         try {
             return file.sound();
         } catch (const InputError& e) {
@@ -115,6 +130,36 @@ private:
     Summary go_on()
     {
         try {
+            return go_on_to_the_end();
+        } catch (const InputError&) {
+            throw;
+        } catch (const NumericalError&) {
+            throw;
+        } catch (const DirectoryLost& e) {
+            throw DirectoryLost(e.what() + rescue());
+        } catch (const std::runtime_error&) {
+            if (!ended_) rescue();
+            throw;
+        }
+    }
+
+    /// Rows or frames can no longer be written: keeps the last sound state, which they reach up to,
+    /// if there is room for it. Says how to go on from there.
+    std::string rescue()
+    {
+        simulation_.back_to_good();
+        try {
+            const auto place = files_.rescue(simulation_, good_memory_);
+            if (place) return "\n  go on: starling resume " + shell_word(*place);
+        } catch (const std::exception& e) {
+            return std::string("\n  its state could not be kept: ") + e.what();
+        }
+        return "";
+    }
+
+    Summary go_on_to_the_end()
+    {
+        try {
             while (!stop_.reason()) step_or_retry();
         } catch (const NumericalError& e) {
             end_broken_down(e);
@@ -126,6 +171,8 @@ private:
     /// Writes the last results, all for which there is room.
     Summary end()
     {
+        files_.check_held();
+        ended_ = true;
         Attempts attempt;
         attempt([&] { // before the extra row and frames
             files_.checkpoint(simulation_, memory(), good_memory_);
@@ -133,6 +180,8 @@ private:
         if (files_.last_row() != simulation_.steps()) attempt([&] { take_sample(); });
         files_.finish(simulation_, attempt);
         Summary result = summary(*stop_.reason(), stop_.converged());
+        attempt([&] { result.mean_leak_over_Q = files_.mean_leak(last_.step); });
+        result.warnings = run_warnings(case_, result, step_factor_);
         attempt([&] { files_.summary(result); });
         attempt([&] { files_.sync(); });
         if (!attempt.failures().empty())
@@ -155,8 +204,10 @@ private:
         attempt([&] { files_.checkpoint(simulation_, good_memory_, good_memory_); });
         last_ = simulation_.sample();
         files_.finish(simulation_, attempt);
-        attempt(
-            [&] { files_.summary(summary(std::string("numerical error: ") + e.what(), false)); });
+        Summary result = summary(std::string("numerical error: ") + e.what(), false);
+        attempt([&] { result.mean_leak_over_Q = files_.mean_leak(last_.step); });
+        result.warnings = run_warnings(case_, result, step_factor_);
+        attempt([&] { files_.summary(result); });
         if (broken)
             attempt([&] { files_.breakdown(simulation_.neighbourhood(*breakdown_), *broken); });
         for (const std::string& failure : attempt.failures()) observer_.warn(failure);
@@ -183,7 +234,8 @@ private:
         simulation_.back_to_good();
         good_memory_.step_factor = step_factor_ / 2;
         simulation_.set_step_factor(good_memory_.step_factor);
-        try_checkpoint([&] { files_.checkpoint_of_return(simulation_, good_memory_); });
+        try_checkpoint(
+            [&] { files_.checkpoint_of_return(simulation_, good_memory_, good_memory_); });
         remember(good_memory_);
     }
 
@@ -202,7 +254,7 @@ private:
         simulation_.step(target());
         if (simulation_.steps() % case_.output.sample_every == 0) take_sample();
         follow_cycle();
-        files_.fields(simulation_);
+        patiently([&] { files_.fields(simulation_); });
         if (simulation_.good_step() == simulation_.steps()) good_memory_ = memory();
         stop_.check(moment());
         const TimeStepLimit& limiting = simulation_.limiting();
@@ -245,7 +297,36 @@ private:
     {
         last_ = simulation_.sample();
         stop_.add(last_);
-        files_.sample(last_);
+        patiently([&] { files_.sample(last_); });
+    }
+
+    /// Writes rows or frames; where there is no room, tries again for some time.
+    template <class F>
+    void patiently(F write)
+    {
+        for (const auto begin = Clock::now(); true;) try {
+                return write();
+            } catch (const DirectoryLost&) {
+                throw;
+            } catch (const std::runtime_error& e) {
+                if (ended_ || !wait_for_room(begin, e.what())) throw;
+            }
+    }
+
+    /// Whether to try again what has failed for `reason`, since `begin`.
+    bool wait_for_room(std::chrono::steady_clock::time_point begin, const std::string& reason)
+    {
+        using namespace std::chrono_literals;
+        constexpr std::chrono::milliseconds patience = 60s, pause = 2s, glance = 100ms;
+        const auto waited = Clock::now() - begin;
+        if (waited < pause)
+            observer_.warn(reason + "; trying again for a minute, until there is room");
+        if (waited > patience) return false;
+        for (std::chrono::milliseconds slept = 0ms; slept < pause; slept += glance) {
+            if (observer_.stop_requested()) return false;
+            std::this_thread::sleep_for(glance);
+        }
+        return true;
     }
 
     void follow_cycle()
@@ -310,7 +391,7 @@ private:
         s.converged = converged;
         s.reason = reason;
         s.last = last_;
-        s.mean_leak_over_Q = files_.mean_leak(last_.step);
+        s.mean_leak_over_Q = std::numeric_limits<Real>::quiet_NaN(); // to be read from series.csv
         s.spacing = simulation_.spacing();
         s.wall_seconds = seconds_before_ + seconds();
         s.cell_steps_per_second = static_cast<double>(simulation_.steps()) *
@@ -325,7 +406,6 @@ private:
         s.phase_seconds = phase_seconds();
         if (theory_) s.theory = TheoryValues{theory_->tube.Q, theory_->tube.R_max};
         if (cycles_.memory().cycles > 0) s.cycle = cycles_.memory();
-        s.warnings = run_warnings(case_, s, step_factor_);
         return s;
     }
 
@@ -341,6 +421,7 @@ private:
     Sample last_;
     RunMemory good_memory_; ///< of the last sound state
     Real step_factor_ = 1;
+    bool ended_ = false;              ///< the last results are being written
     std::optional<Vec3> breakdown_;   ///< where the run ended
     double seconds_before_ = 0;       ///< real time before the run was resumed
     std::vector<Real> phases_before_; ///< the same of the phases of the step
@@ -358,11 +439,13 @@ Summary with_advice(const std::filesystem::path& directory, F f)
         throw;
     } catch (const NumericalError&) {
         throw;
+    } catch (const DirectoryLost&) {
+        throw;
     } catch (const std::runtime_error& e) {
         const bool can_go_on = !CheckpointRing::list(directory).empty();
         throw std::runtime_error(fmt::format(
             "{}\n  try: free space on the disk, then: {}", e.what(),
-            can_go_on ? "starling resume " + directory.string()
+            can_go_on ? "starling resume " + shell_word(directory)
                       : "the same command with --force (there is no checkpoint to go on from)"));
     }
 }

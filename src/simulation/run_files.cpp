@@ -84,6 +84,14 @@ void RunFiles::check_go_on(const RunMemory& m, const Case& before) const
 std::vector<std::string> RunFiles::damage(const RunMemory& m) const
 {
     std::vector<std::string> found;
+    const std::filesystem::path series = directory_.file("series.csv");
+    try {
+        inspect_series(series, m.last_row);
+    } catch (const std::exception& e) {
+        found.push_back(series.string() + ": " + e.what() +
+                        "; the run goes on, the row stays as it is, mean_leak_over_Q of "
+                        "summary.json will be null");
+    }
     for (const auto& [of, count] : {std::pair{"wall", m.wall_frames}, {"fluid", m.fluid_frames}}) {
         if (!FrameWriter::lists_frames(field_options(count), of))
             found.push_back(directory_.file((std::string(of) + ".xdmf").c_str()).string() +
@@ -107,6 +115,7 @@ void RunFiles::go_on_from(const RunMemory& m, Real t, Index step)
     wall_.emplace(field_options(m.wall_frames));
     fluid_.emplace(field_options(m.fluid_frames));
     checkpoints_.go_on_from(step);
+    wall_is_due_ = fluid_is_due_ = false;
     wall_due_.go_on(t, m.next_wall);
     fluid_due_.go_on(t, m.next_fluid);
     last_row_ = m.last_row;
@@ -132,14 +141,19 @@ void RunFiles::theory(const TheoryReport& report)
 
 void RunFiles::sample(const Sample& s)
 {
+    check_held();
     series_->write(s);
     last_row_ = s.step;
 }
 
 void RunFiles::fields(const Simulation& simulation)
 {
-    if (wall_due_.due(simulation.time(), simulation.dt())) wall(simulation);
-    if (fluid_due_.due(simulation.time(), simulation.dt())) fluid(simulation);
+    wall_is_due_ = wall_due_.due(simulation.time(), simulation.dt()) || wall_is_due_;
+    fluid_is_due_ = fluid_due_.due(simulation.time(), simulation.dt()) || fluid_is_due_;
+    if (wall_is_due_) wall(simulation);
+    wall_is_due_ = false;
+    if (fluid_is_due_) fluid(simulation);
+    fluid_is_due_ = false;
 }
 
 void RunFiles::first_wall(const Simulation& simulation)
@@ -150,19 +164,39 @@ void RunFiles::first_wall(const Simulation& simulation)
 void RunFiles::checkpoint(const Simulation& simulation, const RunMemory& memory,
                           const RunMemory& good)
 {
+    check_held();
     sync();
     checkpoints_.write(
         {{simulation.state(), memory}, {simulation.good_state(), good}, write_case(case_)});
 }
 
-void RunFiles::checkpoint_of_return(const Simulation& simulation, const RunMemory& memory)
+void RunFiles::checkpoint_of_return(const Simulation& simulation, const RunMemory& memory,
+                                    const RunMemory& good)
 {
     checkpoints_.go_on_from(simulation.steps());
-    checkpoint(simulation, memory, memory);
+    checkpoint(simulation, memory, good);
+}
+
+bool RunFiles::is_newest(const CheckpointFile& file) const
+{
+    const auto all = CheckpointRing::list(directory_.path());
+    std::error_code none;
+    return !all.empty() && std::filesystem::equivalent(all.front(), file.path(), none);
+}
+
+std::optional<std::filesystem::path> RunFiles::rescue(const Simulation& simulation,
+                                                      const RunMemory& memory) const
+{
+    const auto place = directory_.where();
+    const RunPoint point{simulation.state(), memory};
+    if (place)
+        CheckpointRing(*place, case_.checkpoint.keep).write({point, point, write_case(case_)});
+    return place;
 }
 
 void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken)
 {
+    check_held();
     FieldFileOptions options = field_options(0);
     options.prefix = "breakdown_";
     WallFile wall(options);
@@ -176,11 +210,13 @@ void RunFiles::breakdown(const Neighbourhood& sound, const Neighbourhood& broken
 void RunFiles::finish(const Simulation& simulation, Attempts& attempt)
 {
     attempt([&] {
+        check_held();
         std::vector<ProfileRow> rows = simulation.profile();
         add_shear(cycles_.memory(), simulation.ring_size(), rows);
         write_profile(directory_.file("profile.csv"), rows, case_.scaling);
     });
     attempt([&] {
+        check_held();
         write_sections(directory_.file("sections.csv"), simulation.sections(), case_.scaling);
     });
     if (simulation.steps() > wall_step_) attempt([&] { wall(simulation); });
@@ -189,6 +225,7 @@ void RunFiles::finish(const Simulation& simulation, Attempts& attempt)
 
 void RunFiles::summary(const Summary& s)
 {
+    check_held();
     write_summary(directory_.file("summary.json"), s, case_.scaling);
 }
 
@@ -210,6 +247,7 @@ FieldFileOptions RunFiles::field_options(Index keep) const
 void RunFiles::wall(const Simulation& simulation)
 {
     if (!case_.output.wall) return;
+    check_held();
     if (!wall_) wall_.emplace(field_options(0));
     WallSnapshot snapshot = simulation.wall_snapshot();
     add_shear(cycles_.memory(), snapshot);
@@ -220,6 +258,7 @@ void RunFiles::wall(const Simulation& simulation)
 void RunFiles::fluid(const Simulation& simulation)
 {
     if (!case_.output.fluid) return;
+    check_held();
     if (!fluid_) fluid_.emplace(field_options(0));
     fluid_->write(simulation.fluid_snapshot());
     fluid_step_ = simulation.steps();

@@ -53,6 +53,7 @@ public:
     void note(RunMemory& memory) const;
 
     void theory(const TheoryReport& report);
+    /// Where this or one of the next two fails for want of room it may be called again.
     void sample(const Sample& s);
     /// Wall and fluid frames that are due now.
     void fields(const Simulation& simulation);
@@ -65,11 +66,21 @@ public:
     /// Time of the next frame.
     Real next_frame() const { return std::min(wall_due_.next(), fluid_due_.next()); }
     void first_wall(const Simulation& simulation);
+    /// Throws DirectoryLost where the directory is no longer this run's.
+    void check_held() const { directory_.check_held(); }
+    /// Writes a checkpoint to where the directory is now; returns its place, empty where it is
+    /// gone.
+    std::optional<std::filesystem::path> rescue(const Simulation& simulation,
+                                                const RunMemory& memory) const;
     /// A checkpoint of the present state, with `good` of the last one found sound.
     /// Before that, rows and frames that belong to it are waited for until they are on disk.
     void checkpoint(const Simulation& simulation, const RunMemory& memory, const RunMemory& good);
-    /// The same after the run has gone back: those beyond are of a course that was given up.
-    void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory);
+    /// The same where the run has gone back: checkpoints beyond are of a course that is given up,
+    /// and removed. To be written before rows and frames of that course are dropped.
+    void checkpoint_of_return(const Simulation& simulation, const RunMemory& memory,
+                              const RunMemory& good);
+    /// Whether `file` is the latest checkpoint of this run.
+    bool is_newest(const CheckpointFile& file) const;
     /// What is around a breakdown, in the last sound state and in the broken one.
     void breakdown(const Neighbourhood& sound, const Neighbourhood& broken);
     /// What is written once a run has ended, beside the summary.
@@ -93,6 +104,7 @@ private:
     Schedule wall_due_, fluid_due_;
     std::optional<WallFile> wall_;
     std::optional<FluidFile> fluid_;
+    bool wall_is_due_ = false, fluid_is_due_ = false;        ///< now, and not yet written
     Index last_row_ = -1, wall_step_ = -1, fluid_step_ = -1; ///< steps of the last row and frames
 };
 

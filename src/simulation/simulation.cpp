@@ -116,11 +116,21 @@ struct Simulation::Impl {
         if (!fits) throw InputError("the checkpoint does not fit the grid and wall of its case");
     }
 
-    /// Limits of the present state; the step itself is part of the state.
-    void find_limits()
+    /// The speed that limits the present state, or the one that its pressures may bring about.
+    Real speed() const
     {
         const Real u_max = check_speed(grid, state.fluid.u, state.fluid.dt_before).u_max;
-        find_limits(std::max(u_max, std::abs(description.pressure_ratio())));
+        return std::max(u_max, std::abs(description.pressure_ratio()));
+    }
+
+    /// Limits of the present state; the step itself is part of the state.
+    void find_limits() { find_limits(speed()); }
+
+    void choose_step_anew()
+    {
+        state.dt = 0;
+        choose_step(speed());
+        good.dt = state.dt;
     }
 
     void after_restore()
@@ -200,6 +210,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 void Simulation::step(Real until) { impl_->step(until); }
 void Simulation::back_to_good() { impl_->back_to_good(); }
 void Simulation::set_step_factor(Real factor) { impl_->set_step_factor(factor); }
+void Simulation::choose_step() { impl_->choose_step_anew(); }
 const State& Simulation::state() const { return impl_->state; }
 const State& Simulation::good_state() const { return impl_->good; }
 void Simulation::restore(const std::function<void(State&)>& read,

@@ -48,6 +48,9 @@ public:
     /// Multiplies the automatic step by `factor` from now on, beside the safety of the case.
     void set_step_factor(Real factor);
 
+    /// Chooses the step anew, for the case as it is now: of a state that another case has led to.
+    void choose_step();
+
     /// What a checkpoint holds: the present state and the last one found sound.
     const State& state() const;
     const State& good_state() const;

@@ -229,10 +229,19 @@ def test_too_large(directory):
     expect(not out.exists(), "a refused run created", out)
 
 
+def test_out_of_memory(directory):
+    """What the system does not give is told in one message."""
+    command = f"ulimit -v 400000; exec '{PROGRAM}' run {CASE} --threads 1 --set grid.spacing=0.04 --out '{directory}/out'"
+    result = subprocess.run(["bash", "-c", command], capture_output=True, text=True, check=False)
+    expect_exit(result, 1)
+    expect("not enough memory" in result.stderr and "ulimit" in result.stderr, result.stderr)
+
+
 def test_refusal(directory):
     out = directory / "out"
     expect_exit(starling("run", *SHORT, "--out", out), 0)
     (out / "notes.txt").write_text("mine", encoding="utf-8")
+    (out / "waves.png").write_text("of starling plot", encoding="utf-8")
     before = {p: (p.stat().st_mtime_ns, p.stat().st_size) for p in out.iterdir()}
     result = starling("run", *SHORT, "--out", out)
     expect_exit(result, 2)
@@ -241,6 +250,7 @@ def test_refusal(directory):
            "a refused run changed something")
     expect_exit(starling("run", *SHORT, "--out", out, "--force"), 0)
     expect((out / "notes.txt").read_text(encoding="utf-8") == "mine", "--force took a foreign file")
+    expect(not (out / "waves.png").exists(), "--force left a picture of the run before")
 
 
 def start_long_run(out):
@@ -426,7 +436,7 @@ def test_resume_damaged(directory):
     expect(files_of(out) == before, "a refused resume changed something")
     (out / "series.csv").write_bytes(lost)
     (out / "wall.xdmf").unlink()
-    expect("wall.xdmf: does not list all frames" in starling("info", out).stdout, "info")
+    expect("wall.xdmf: is missing" in starling("info", out).stdout, "info")
     offered = re.search(r"--from (\S+)", result.stderr)[1]
     result = starling("resume", out, "--from", offered, "--set", "stop.steps=8")
     expect_exit(result, 0)
@@ -446,6 +456,13 @@ def test_resume_beside_damage(directory):
     expect_exit(result, 0)
     for words in ("wall_000001.h5: no such frame", "wall_000002.h5: is truncated"):
         expect(words in result.stderr, "should say", words, "but says", result.stderr)
+    expect("series.csv" not in result.stderr and summary_of(out)["mean_leak_over_Q"] is not None, result.stderr)
+    series = (out / "series.csv").read_text(encoding="utf-8")
+    (out / "series.csv").write_text(series.replace(",2,", ",2?,", 1), encoding="utf-8")
+    result = starling("resume", out, "--quiet", "--set", "stop.steps=8")
+    expect_exit(result, 0)
+    expect("series.csv: row 2 holds '2?'; the run goes on" in result.stderr, result.stderr)
+    expect(summary_of(out)["mean_leak_over_Q"] is None, "a mean of the rows before the damaged one")
     case = out / "case.toml"
     content = case.read_bytes()
     for size in (200, content.index(b"\n[output]") + 1, content.rindex(b"\n#") + 1):
@@ -460,6 +477,60 @@ def test_resume_beside_damage(directory):
     expect_exit(starling("check", case), 0)
 
 
+def start_until_the_disk_is_full(*arguments):
+    """A run that now waits for room, and what it has said so far."""
+    run = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                           text=True)
+    said = ""
+    while "trying again for a minute" not in said:
+        line = run.stderr.readline()
+        expect(line, "ended:", said)
+        said += line
+    return run, said
+
+
+def without_patience(*arguments):
+    """A run on a full disk, stopped while it waits for room: it ends at once."""
+    run, said = start_until_the_disk_is_full(*arguments)
+    run.send_signal(signal.SIGTERM)
+    said += run.communicate(timeout=60)[1]
+    return subprocess.CompletedProcess(arguments, run.returncode, "", said)
+
+
+def check_that_it_waits_for_room(case, disk, whole):
+    """Room is made while a run waits for it: it goes on as if there had always been enough."""
+    filler = disk / "filler"
+    filler.write_bytes(bytes(60 * 2**20 - sum(p.stat().st_size for p in disk.rglob("*") if p.is_file()) - 700_000))
+    run, _ = start_until_the_disk_is_full("run", *case, "--out", disk / "patient")
+    filler.unlink()
+    errors = run.communicate(timeout=120)[1]
+    expect(run.returncode == 0, errors)
+    expect_same_results(whole, disk / "patient")
+
+
+def test_directory_lost(directory):
+    """Moved away while it is written to: the state is kept there. Replaced: the other run is left alone."""
+    out, moved = directory / "a b", directory / "moved to"
+    run = start_long_run(out)
+    wait_for(lambda: len(rows_of(out / "series.csv")) > 60)
+    out.rename(moved)
+    errors = run.communicate(timeout=60)[1]
+    expect(run.returncode == 1 and f"was moved to {moved}" in errors, run.returncode, errors)
+    expect(f"go on: starling resume '{moved}'\n" in errors and not out.exists(), errors)
+    expect(not (moved / ".starling.lock").exists(), "a lock is left")
+    check_readable(moved)
+    expect_exit(starling("resume", moved, "--set", "stop.steps=70"), 0)
+    run = start_long_run(out)
+    out.rename(directory / "removed")
+    other = start_long_run(out)
+    errors = run.communicate(timeout=60)[1]
+    expect(run.returncode == 1 and "was moved" in errors, run.returncode, errors)
+    expect((out / ".starling.lock").exists(), "the lock of the other run was removed")
+    other.send_signal(signal.SIGTERM)
+    other.communicate(timeout=60)
+    expect(other.returncode == 0 and check_readable(out), "the other run")
+
+
 def test_full_disk(directory):
     """A disk too small for the run: a message, no crash, what was written is whole; then on."""
     disk, whole = directory / "disk", directory / "whole"
@@ -471,7 +542,7 @@ def test_full_disk(directory):
     try:
         out = disk / "out"
         case = [*COARSE, "--set", "output.wall_every=0.05", "--set", "stop.steps=60"]
-        result = starling("run", *case, "--set", "checkpoint.steps=10", "--out", out)
+        result = without_patience("run", *case, "--set", "checkpoint.steps=10", "--out", out)
         expect_exit(result, 1)
         expect("No space left on device" in result.stderr, result.stderr)
         expect(f"free space on the disk, then: starling resume {out}" in result.stderr, result.stderr)
@@ -480,6 +551,7 @@ def test_full_disk(directory):
         subprocess.run(["mount", "-o", "remount,size=60m", disk], check=True)
         expect_exit(starling("resume", out), 0)
         expect_same_results(whole, out)
+        check_that_it_waits_for_room(case, disk, whole)
     finally:
         subprocess.run(["umount", disk], check=True)
 
@@ -641,6 +713,19 @@ def test_info(directory):
         expect_exit(starling("info", path), 2)
 
 
+def check_missing(out, path):
+    """A file that must be there is missed; that to resume is advised only where it is not refused."""
+    path.unlink()
+    result = starling("info", out)
+    expect_exit(result, 2)
+    expect(f"  {path.name}: is missing" in result.stdout, path, "\n", result.stdout)
+    if path.name == "series.csv":
+        expect("To resume is not possible: " in result.stdout, result.stdout)
+        expect("series.csv: is missing" in starling("resume", out, "--set", "stop.steps=9").stderr, path)
+    else:
+        expect("starling resume" in result.stdout, path, result.stdout)
+
+
 def test_info_damaged(directory):
     """Each damaged file is found, named, and the checkpoint that is whole is offered."""
     out = directory / "out"
@@ -648,8 +733,6 @@ def test_info_damaged(directory):
     whole = {p: p.read_bytes() for p in out.rglob("*") if p.is_file() and not p.is_symlink()}
     latest = (out / "checkpoints" / "latest").resolve()
     for path, content in whole.items():
-        if path.name in ("profile.csv", "sections.csv", "theory.csv"):
-            continue  # written anew by every run that ends
         half = len(content) // 2 + 1
         if path.name == "case.toml":  # at the end of a line
             half = content.index(b"\n[output]") + 1
@@ -657,6 +740,11 @@ def test_info_damaged(directory):
         result = starling("info", out)
         expect_exit(result, 2)
         expect(f"{path.relative_to(out)}: " in result.stdout, path, "\n", result.stdout)
+        if path.suffix == ".csv" and path.name != "series.csv":
+            path.write_bytes(content[:content.rindex(b"\n", 0, half) + 1])  # at the end of a line
+            expect_exit(starling("info", out), 2)
+        if path.parent == out and path.name != "summary.json":  # without that it has not ended
+            check_missing(out, path)
         if path == latest:
             expect("--from" in result.stdout, result.stdout)
         if path.parent.name in ("frames", "checkpoints"):
@@ -715,6 +803,10 @@ def test_export(directory):
     expect(not (directory / "a.vtp").exists(), "a refused export wrote a file")
     expect((directory / "wall.vtp").read_bytes() == before, "a refused export replaced a file")
     expect_exit(starling("export", out, "--out", directory / "wall.vtp", "--force"), 0)
+    last = sorted((out / "frames").glob("wall_*.h5"))[-1]
+    last.write_bytes(last.read_bytes()[:5000])
+    passed = starling("export", out, "--out", directory / "wall.vtp", "--force")
+    expect(f"passed over: {last}: is truncated" in passed.stdout, passed.stdout)
 
 
 def test_read_only(directory):

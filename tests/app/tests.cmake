@@ -1,7 +1,7 @@
 # The program as a user meets it; one test per scenario of the script.
 foreach(scenario help version usage bad_case cases check_and_theory run refusal interrupt
-        numerical_error numerical_error_in_si breakdown_keeps_checkpoints end_time warnings too_large resume resume_ended resume_after_wall_clock files_of_the_user resume_anywhere resume_damaged resume_beside_damage kill kill_at_the_end flushed set_scale
-        full_disk full_disk_at_the_end read_only fluid_region info info_damaged info_while_running export threads plot si_units
+        numerical_error numerical_error_in_si breakdown_keeps_checkpoints end_time warnings too_large out_of_memory resume resume_ended resume_after_wall_clock files_of_the_user resume_anywhere resume_damaged resume_beside_damage kill kill_at_the_end flushed set_scale
+        full_disk full_disk_at_the_end directory_lost read_only fluid_region info info_damaged info_while_running export threads plot si_units
         bench bench_refusal compare_bench)
   add_test(NAME App.${scenario}
     COMMAND /usr/bin/python3 ${CMAKE_CURRENT_LIST_DIR}/test_app.py

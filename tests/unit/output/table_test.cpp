@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "output/profile.hpp"
+#include "output/read_table.hpp"
 #include "output/series.hpp"
 #include "synthetic.hpp"
 #include "temporary_directory.hpp"
@@ -84,6 +85,10 @@ TEST(Series, MeanLeakIsOfTheLastHalfUpToAStep)
     EXPECT_NEAR(mean_leak_over_Q(path, 40), 0.7 / 10, 1e-12);
     EXPECT_NEAR(mean_leak_over_Q(path, 45), 0.7 / 10, 1e-12);
     EXPECT_GT(mean_leak_over_Q(path, 50), 1);
+    std::string text = read_text(path);
+    text[text.find('\n', text.find('\n') + 1) - 1] = 'x'; // in the first row
+    std::ofstream(path) << text;
+    EXPECT_TRUE(std::isnan(mean_leak_over_Q(path, 40)));
 }
 
 TEST(Series, FullDeviceIsReported)

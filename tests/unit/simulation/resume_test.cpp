@@ -152,6 +152,86 @@ TEST(ResumedRun, WithNothingToDoIsRefusedAndChangesNothing)
     EXPECT_EQ(read_text(out / "series.csv") + read_text(out / "case.toml"), before);
 }
 
+/// Takes down the steps of a run.
+class Steps : public Quiet {
+public:
+    void started(const RunStart& start) override { t_ = start.simulation.time(); }
+    void stepped(const Progress& p) override
+    {
+        dt.push_back(p.t - t_);
+        t_ = p.t;
+    }
+    std::vector<Real> dt;
+
+private:
+    Real t_ = 0;
+};
+
+TEST(ResumedRun, TakesAChangedStepAtOnce)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.time.step = 0.004;
+    c.stop.steps = 11;
+    Steps steps;
+    const fs::path out = dir.path() / "out";
+    run_to(c, out, steps);
+    for (const auto& step : {std::optional<Real>(0.003), std::optional<Real>()}) {
+        c.time.step = step;
+        *c.stop.steps += 1;
+        resume(c, latest_checkpoint(out), out, steps);
+        EXPECT_NEAR(steps.dt.back(), step.value_or(Simulation(c).dt()), 1e-12);
+    }
+}
+
+TEST(ResumedRun, KeepsTheFactorOnTheStepUnlessTheStepIsAnother)
+{
+    TemporaryDirectory dir;
+    Case c = coarse_tube();
+    c.stop.steps = 3;
+    Quiet quiet;
+    const fs::path out = dir.path() / "out";
+    run_to(c, out, quiet);
+    Simulation halved(c);
+    RunMemory memory = latest_checkpoint(out).read_memory();
+    memory.step_factor = 0.5;
+    memory.last_row = 0;
+    CheckpointRing(out, 3).write(
+        {{halved.state(), memory}, {halved.state(), memory}, write_case(c)});
+    const CheckpointFile half(CheckpointRing::list(out).back());
+    const std::string wanted = "50 % of the automatic";
+    c.material.eps *= 1.01;
+    EXPECT_NE(resume(c, half, out, quiet).warnings.back().find(wanted), std::string::npos);
+    c.time.safety = 0.9;
+    *c.stop.steps += 1;
+    for (const std::string& warning : resume(c, latest_checkpoint(out), out, quiet).warnings)
+        EXPECT_EQ(warning.find(wanted), std::string::npos) << warning;
+}
+
+// Killed before the next checkpoint is due.
+TEST(ResumedRun, LeavesNoCheckpointOfTheCourseThatWasGivenUp)
+{
+    class Killed : public Quiet {
+        void started(const RunStart& /*start*/) override { throw std::runtime_error("killed"); }
+    } killed;
+    for (const Index keep : {0, 3}) {
+        TemporaryDirectory dir;
+        Case c = coarse_tube();
+        c.stop.steps = 28;
+        c.checkpoint.steps = 7;
+        Quiet quiet;
+        const fs::path out = dir.path() / "out";
+        run_to(c, out, quiet);
+        const std::string whole = read_text(out / "series.csv");
+        const CheckpointFile early(out / "checkpoints" / "step_0000000014.h5");
+        c.checkpoint.keep = keep;
+        EXPECT_THROW(resume(c, early, out, killed), std::runtime_error);
+        EXPECT_EQ(latest_checkpoint(out).step(), 14);
+        resume(c, latest_checkpoint(out), out, quiet);
+        EXPECT_EQ(read_text(out / "series.csv"), whole);
+    }
+}
+
 TEST(LatestCheckpoint, OffersTheOneBeforeADamagedOne)
 {
     TemporaryDirectory dir;
