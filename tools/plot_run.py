@@ -317,7 +317,8 @@ def plot_waves(directory, t_unit):
 
 
 def draw_leak(axes, t, series):
-    leak = 100 * series["leak"] / np.where(series["Q_mid"] == 0, np.nan, series["Q_mid"])
+    flow = np.maximum(np.abs(series["Q_in"]), np.abs(series["Q_out"]))
+    leak = 100 * series["leak"] / np.where(flow > 0.05 * np.max(flow), flow, np.nan)
     axes.plot(t, leak, color=BLUE)
     late = np.abs(leak)[len(t) // 4:]
     if np.isfinite(late).any():  # the start-up, with hardly any flow yet, would hide the rest

@@ -14,6 +14,9 @@ std::string remedy_of_leak(const Case& c, const Summary& s)
 {
     if (c.coupling.scheme != CouplingScheme::conserving)
         return "the scheme that leaks least is coupling.scheme = \"conserving\"";
+    if (c.drive.has_waveform())
+        return "the rigid parts follow a load that changes with a lag: take shorter ones or a "
+               "smaller time step (time.safety)";
     if (!s.converged)
         return "the rigid parts follow a load that changes with a lag: wait for the steady state, "
                "or for the course in time take shorter rigid parts or a smaller time step";
