@@ -148,6 +148,7 @@ private:
     std::string rescue()
     {
         simulation_.back_to_good();
+        simulation_.set_step_factor(good_memory_.step_factor);
         try {
             const auto place = files_.rescue(simulation_, good_memory_);
             if (place) return "\n  go on: starling resume " + shell_word(*place);
